@@ -10,13 +10,13 @@
 namespace gearwright {
 namespace {
 
-constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
-// If the angles between the chord and the two end tangents differ by less than this value, rad, one
-// arc replaces the biarc.
+constexpr double kStraight = 1e-9;  // mm; an arc with a smaller sagitta is written as a line
+// If the chord makes equal angles with both end tangents, within this tolerance, rad, one arc
+// replaces the biarc.
 constexpr double kOneCircle = 1e-9;
-// The shortest length of a biarc, relative to the arc, and the error with which the longest
-// possible biarc is found, relative to its length. Lengths are measured in the parameter of the
-// arc.
+// The first number is the shortest length of a biarc, relative to the arc. The second is the error
+// of the search for the longest possible biarc, relative to its length. Lengths are measured in the
+// parameter of the arc.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
@@ -52,7 +52,7 @@ Biarc join(const End& a, const End& b) {
   // This form of the positive root avoids cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
-  // The second arc is computed by the same formula with the two ends exchanged and reversed.
+  // The same formula gives the second arc, with both ends exchanged and reversed.
   return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
 }
 
@@ -140,16 +140,15 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // If the error along a biarc has one or two maxima and the speed of the parametrization
-  // varies little, 24 samples give the greatest error within 1 %. In other cases, the
+  // With one or two maxima of the error along a biarc, and with a nearly constant speed of the
+  // parametrization, 24 samples give the greatest error within 1 %. In other cases, the
   // verification with kVouching samples may find a greater error. The fit is then repeated with
   // more samples.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // More samples cannot correct an error above twice the tolerance. The reason for such an
-    // error is that the curve needs more than 4096 steps, or that rounding errors are too
-    // large.
+    // If the error exceeds twice the tolerance, more samples cannot correct it. The reason is that
+    // the curve needs more than 4096 steps, or that rounding errors are too large.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;

@@ -8,8 +8,8 @@
 // tangents drawn from P0 and from P1 have the same length d,
 //     J = (P0 + P1)/2 + d (T0 − T1)/2,   |v|² − 2d v·(T0 + T1) − 2d²(1 − T0·T1) = 0,  v = P1 − P0
 // (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature, the error of a biarc
-// grows with its length. The number of biarcs is therefore smallest if each is as long as the
-// tolerance allows.
+// grows with its length. The number of biarcs is therefore smallest if each biarc is as long as the
+// tolerance permits.
 #pragma once
 
 #include <vector>
@@ -25,18 +25,20 @@ struct BiarcChain {
   double deviation_mm;         ///< greatest normal distance at 256 points per biarc
 };
 
-/// A chain of arcs within `tolerance_mm` of the exact curve.
+/// Returns a chain of arcs within `tolerance_mm` of the exact curve.
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
-/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs suffice, which the caller must check;
+/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs are sufficient, which the caller must check;
 ///           tangents of neighbouring arcs agree to 1e-9 rad; if a line replaces an arc, the
 ///           tangent error of the line times its length is below 4e-9 mm
-/// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each is as long as possible
-///           (2) a circular arc is represented by one arc
+/// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each arc is as long as
+///               possible
+///           (2) one arc represents a circular arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
-/// The closed outline of the whole gear in true circular arcs: one chain of points and bulges.
+/// The closed outline of the whole gear, made of true circular arcs as one chain of points and
+/// bulges.
 struct BiarcContour {
   std::vector<Vec2> points;    ///< mm, counter-clockwise
   std::vector<double> bulges;  ///< bulges[i]: arc from points[i] to the next point, cyclically
@@ -44,7 +46,7 @@ struct BiarcContour {
 };
 
 /// Returns the contour of all teeth. Each land is one arc. Every other arc of the half outline is
-/// fitted by biarcs once, and all teeth use this fit.
+/// fitted by biarcs only once, and all teeth use this fit.
 ///
 /// Errors    `tolerance_mm` if an arc cannot be fitted within this tolerance
 /// Domain    tolerance_mm > 0 (contract)

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Columns on a circular arc from the angle `begin` to `end`, rad, including both ends.
+// Returns columns on a circular arc from the angle `begin` to `end`, rad, including both ends.
 std::vector<Column> arc_columns(double radius, double begin, double end, int segments) {
   std::vector<Column> columns;
   for (int i = 0; i <= segments; ++i) {
@@ -83,7 +83,7 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 
   std::vector<Column> columns = right;
   const auto mirror = [](const Vec2& v) { return Vec2(-v.x(), v.y()); };
-  const std::size_t on_axis = bore.has_keyway() ? 0 : 1;  // the top point is its own mirror image
+  const std::size_t on_axis = bore.has_keyway() ? 0 : 1;  // the top point is symmetric
   for (std::size_t i = right.size() - on_axis; i-- > 1;) {
     columns.push_back({mirror(right[i].point), mirror(right[i].after), mirror(right[i].before)});
   }
@@ -113,8 +113,8 @@ Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double 
   const double half = body.bore->keyway_width / 2.0;
   if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
 
-  // The circular part of the bore is divided into two arcs, which meet at (0, −r), because this
-  // part spans more than half a turn.
+  // The circular part of the bore spans more than half a turn. It is therefore divided into two
+  // arcs, which meet at (0, −r).
   const double y = std::sqrt((r - half) * (r + half));
   const double floor = r + body.bore->keyway_depth;
   const double bulge = std::tan((pi - std::asin(half / r)) / 4.0);

@@ -18,18 +18,19 @@
 
 namespace gearwright {
 
-/// The columns of the wall (cad/mesh_builder.hpp), counter-clockwise from the lowest point (0, −r).
-/// The columns are exactly symmetric about the y axis. Normals point into the hole.
+/// Returns the columns of the wall (cad/mesh_builder.hpp), counter-clockwise from the lowest point
+/// (0, −r). The columns are exactly symmetric about the y axis. Their normals point into the hole.
 ///
 /// Accuracy  chords deviate from the circle by at most `chord` mm; the surface turns by at most
 ///           `facet_turn` rad over a chord
 /// Domain    a bore for which hole_error() returns no error (contract)
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn);
 
-/// A single wall around the full circle, starting on the +y axis.
+/// Returns a single wall around the full circle, beginning on the +y axis.
 WallLoop circle_loop(double radius);
 
-/// The walls of the bore or rim as a loop. The keyway is omitted if its sides would be slivers.
+/// Returns the walls of the bore or rim as a loop. If the sides of the keyway would be slivers, the
+/// keyway is omitted.
 ///
 /// Errors    those of hole_error() (gear/bore.hpp)
 /// Units     inner, outer: extreme radii of the outline, mm
@@ -43,7 +44,7 @@ struct BoreContour {
   std::vector<double> bulges;  ///< bulges[i] belongs to the piece from points[i] to the next point
 };
 
-/// The contour of the bore or rim. Absent if there is no bore.
+/// Returns the contour of the bore or rim, or none if there is no bore.
 ///
 /// Errors    those of make_walls (cad/walls.hpp): a bore or keyway that reaches the root circle, or
 ///           an internal gear whose rim does not enclose the root circle

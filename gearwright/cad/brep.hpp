@@ -8,14 +8,14 @@
 //   circle    cylinder about the axis            circle
 //   line      plane                              line
 //
-// Every vertex, edge and pole is written once: the boundary poles of a face are also the poles of
+// Every vertex, edge and pole is written once. The boundary poles of a face are also the poles of
 // its edges and of the neighbouring faces. Edges along the teeth are lines, or B-splines that
-// follow the helix. An edge lies exactly on its faces, except that a helix spline deviates from a
-// true cylinder by less than kHelixTarget_mm.
+// follow the helix. Every edge lies exactly on its faces, with one exception. A helix spline
+// deviates from a true cylinder by less than kHelixTarget_mm.
 //
-// A double-helical gear has two stacks of walls, one for each hand of helix, either adjacent or
-// separated by a groove. A solid with several gears has a stack for each gear. Plain cylinders, the
-// necks, separate the stacks.
+// A double-helical gear has two stacks of walls, one for each hand of helix. The stacks are
+// adjacent, or a groove separates them. A solid with several gears has a stack for each gear. Plain
+// cylinders, the necks, separate these stacks.
 //
 //   Law   every edge is used twice, once in each direction
 #pragma once
@@ -31,8 +31,8 @@
 
 namespace gearwright {
 
-/// Distance within which points, edges and faces of a solid agree, mm. The file states this value
-/// as its uncertainty.
+/// Points, edges and faces of a solid agree within this distance, mm. The file states it as its
+/// uncertainty.
 inline constexpr double kBrepUncertainty_mm = 1e-7;
 static_assert(kHelixTarget_mm <= kBrepUncertainty_mm / 2);
 
@@ -48,8 +48,8 @@ struct GearFaces {
   std::optional<ModifiedFit> fit;
 };
 
-/// Writes the solid of a body in its own frame. The pose is not applied. `gears` has one element
-/// for each of body.gears().
+/// Writes the solid of a body in its own frame, without its pose. `gears` has one element for each
+/// of body.gears().
 ///
 /// Units     mm
 /// Domain    walls = make_walls(gear), fit = fit_modified(*gear.modified, …); an internal gear has
@@ -64,15 +64,15 @@ Brep add_brep(Part21& out, const ToothedBody& body, const std::vector<GearFaces>
 //   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
 //
 // All surfaces and edges are exact. Every face of the teeth is a strip of the plan view
-// (cad/rack_plan.hpp). A strip has four edges, and one more for each corner of the bar that it
-// contains. The first and the last strip of a helical rack begin and end at a corner of the bar,
-// so they have one edge fewer.
+// (cad/rack_plan.hpp). A strip has four edges, and one more for each corner of the bar inside the
+// strip. On a helical rack, the first strip begins at a corner of the bar, and the last strip ends
+// at a corner. These two strips have one edge fewer.
 
-/// Returns the number of faces: the strips, and five planes for the back, the two ends and the two
-/// sides.
+/// Returns the number of faces. These are the strips, and five planes for the back, the two ends
+/// and the two sides.
 std::size_t rack_face_count(const ToothedBody& body);
 
-/// Writes the solid of a rack in its own frame. The pose is not applied.
+/// Writes the solid of a rack in its own frame, without its pose.
 ///
 /// Units     mm
 /// Domain    a body that is a rack (contract)

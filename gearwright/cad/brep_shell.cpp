@@ -103,7 +103,8 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   return finish(body.name);
 }
 
-// Adds the part of the plane at height z that lies inside `outer` and outside `inner` as a face.
+// Adds, as a face, the part of the plane at the height z that lies inside `outer` and outside
+// `inner`.
 void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
   Ids loops{loop(outer)};
   if (inner != nullptr) loops.push_back(loop(*inner));
@@ -137,17 +138,18 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// A coordinate system on the gear's axis. At most one argument of a call may write instances.
-// If two arguments wrote instances, their numbers would depend on the compiler, because C++
-// does not define the order in which arguments are evaluated.
+// Returns a coordinate system on the axis of the gear. In a call, at most one argument may write
+// instances. If two arguments wrote instances, the numbers of these instances would depend on the
+// compiler, because C++ does not define the order in which arguments are evaluated.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());
   return out_.placement(origin, up, direction(x));
 }
 
-// The coordinate system of a circle or cylinder. The x direction points away from the middle of the
-// wall. A wall that spans less than a full turn therefore never crosses the seam at u = 0.
+// Returns the coordinate system of a circle or cylinder. The x direction points away from the
+// middle of the wall. If a wall spans less than a full turn, it therefore never crosses the seam at
+// u = 0.
 Id ShellWriter::round_frame(const Wall& wall, double turn, double z) {
   const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
   return frame(z, {-middle.real(), -middle.imag(), 0.0});
@@ -297,7 +299,8 @@ Id ShellWriter::loop(const Edges& edges) {
 }
 
 // All loops run counter-clockwise, seen from the side to which the surface normal points. In STEP,
-// an outer bound runs counter-clockwise about the face normal, and the bound of a hole clockwise.
+// an outer bound runs counter-clockwise about the face normal, while the bound of a hole runs
+// clockwise.
 void ShellWriter::add_face(const Ids& loops, Id surface, Side side) {
   std::string text = "ADVANCED_FACE('',";
   Ids bounds;

@@ -54,18 +54,18 @@ class ShellWriter {
   explicit ShellWriter(Part21& out) : out_(out) {}
 
   /// Adds one face per wall and slice. `side` is `along` if the metal is inside the loop. The walls
-  /// begin at the rim `base`. If `base` is null, a new rim is written.
+  /// begin at the rim `base`. If `base` is null, the function writes a new rim.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band, Side side,
                  const Rim* base = nullptr);
 
-  /// The rim of teeth in the plane in which a neck begins or ends.
+  /// The rim of the teeth in the plane of one end of a neck.
   struct NeckEnd {
     const Rim& teeth;
     double z;  ///< mm
   };
-  /// Adds a neck, which is a cylinder between two sets of teeth, and the two plane faces next to
-  /// the neck. `side` has the value with which the teeth were added. For an internal gear, the neck
-  /// is the groove.
+  /// Adds a neck and the two plane faces next to it. A neck is a cylinder between two sets of
+  /// teeth. `side` must be the value with which the teeth were added. For an internal gear, the
+  /// neck is the groove.
   void add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side);
 
   /// Adds the bore or the rim and the two end faces, and completes the solid.
@@ -75,7 +75,7 @@ class ShellWriter {
   Edge edge(const Corner& from, const Corner& to, Id curve, Ids poles);
   Id circle(const Wall& wall, double turn, double z);
   Id cylinder(const Wall& wall, double turn);
-  /// An edge along a spline whose inner poles are pole(1) … pole(n − 2).
+  /// Adds an edge along a spline whose inner poles are pole(1) … pole(n − 2).
   Edge spline_edge(const Corner& from, const Corner& to, std::size_t n, const WallKnots& knots,
                    const std::function<Vec3(std::size_t)>& pole);
 
@@ -87,12 +87,12 @@ class ShellWriter {
     const Edge& top;
     const Edge& left;
   };
-  /// The spline surface between its edges. pole(a, b) returns the inner poles of the surface; a
-  /// counts along the loop, b upwards.
+  /// Adds the spline surface between its edges. pole(a, b) returns the inner poles of the surface.
+  /// a counts along the loop, and b counts upwards.
   Id spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
                     const std::function<Vec3(std::size_t, std::size_t)>& pole);
-  /// The bound of a face, which runs counter-clockwise, seen from the side to which the surface
-  /// normal points.
+  /// Returns the bound of a face. The bound runs counter-clockwise, seen from the side to which the
+  /// surface normal points.
   Id face_bound(std::span<const Edge> bottom, std::span<const Edge> right,
                 std::span<const Edge> top, std::span<const Edge> left);
   /// Adds a face. The first loop is the outer one, and all others are holes. All loops run
@@ -133,10 +133,10 @@ class ShellWriter {
 //   slice   the part of the teeth between two planes; it may contain several layers
 //
 // Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
-// true cylinders with one face per slice, whose upright sides consist of one edge per layer.
-// An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
+// true cylinders with one face per slice. The upright sides of these faces consist of one edge per
+// layer. An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
 
-/// Adds the teeth of a band with flank modifications. `base` has the same meaning as for
+/// Adds the teeth of a band with flank modifications. `base` is the same as in
 /// ShellWriter::add_walls().
 ///
 /// Domain    fit = fit_modified(teeth, …), or its mirror image for the half at z < 0 (contract)

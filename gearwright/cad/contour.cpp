@@ -16,13 +16,13 @@ constexpr double kShortestArc = 1e-6;  // mm, 1/100 of the resolution of machine
 constexpr double kOnItsRay = 1e-6;     // mm, tolerance for points on a centre line
 constexpr int kArcLooks = 32;          // number of points per arc that are examined
 
-// Adding zero turns −0 into 0, so equal points are written as equal text.
+// Adding zero turns −0 into 0. Equal points are then written as equal text.
 Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
 
 // An arc of the half outline that becomes pieces of the contour. If adjacent slivers are omitted,
-// the ends of the arc are moved.
+// the ends of the arc are moved to close the gap.
 struct Link {
   std::size_t arc;
   Vec2 begin;
@@ -35,7 +35,7 @@ std::vector<Link> links_of(const Outline& outline) {
   for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     GW_EXPECTS(i == 0 || arc.begin_point == outline.arcs[i - 1].end_point);
-    // The middle is examined too, because a long arc may end where it begins.
+    // The middle is also examined, because a long arc may end at its beginning.
     const double reach = std::max((arc.point(0.5) - arc.begin_point).norm(),
                                   (arc.end_point - arc.begin_point).norm());
     if (reach < kShortestArc) continue;
@@ -64,8 +64,8 @@ Result<Contour> closed_contour(const Outline& outline) {
       const Vec2 p = arc.point(static_cast<double>(i) / kArcLooks);
       contour.inner_radius = std::min(contour.inner_radius, p.norm());
       contour.outer_radius = std::max(contour.outer_radius, p.norm());
-      // For a single tooth, the middle of the space is the negative x axis. The condition y < 0
-      // then covers both centre lines.
+      // If there is only one tooth, the middle of the space is the negative x axis. The condition y
+      // < 0 then covers both centre lines.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
         return Error{"teeth", std::to_string(outline.teeth),
                      "the outline of the tooth crosses the centre line of the tooth or the tooth "
@@ -81,7 +81,7 @@ Result<Contour> closed_contour(const Outline& outline) {
       round_land(outline.arcs[links.back().arc]) && !(root_land && links.size() == 1);
   const std::size_t first = root_land ? 1 : 0;
   const std::size_t last =
-      links.size() - (tip_land ? 1 : 0);  // end of the links that are not the tip land
+      links.size() - (tip_land ? 1 : 0);  // end of the links before the tip land
 
   double tip_sweep = 0.0;
   double root_sweep = 0.0;
@@ -95,7 +95,7 @@ Result<Contour> closed_contour(const Outline& outline) {
   }
 
   // Without a land, two halves meet at a joint on the centre line of the tooth or space. Both
-  // halves use the coordinates that the upper half gives for this joint.
+  // halves use the joint of the upper half.
   const Vec2 tip = links.back().end;
   const Vec2 root = links.front().begin;
   for (int k = 0; k < z; ++k) {
@@ -116,8 +116,8 @@ Result<Contour> closed_contour(const Outline& outline) {
                                 tidy_turned(mirrored(p), next), root_sweep});
     }
     for (std::size_t i = first; i < last; ++i) {
-      const bool at_root = i == 0;                // true only if there is no root land
-      const bool at_tip = i + 1 == links.size();  // true only if there is no tip land
+      const bool at_root = i == 0;                // true only without a root land
+      const bool at_tip = i + 1 == links.size();  // true only without a tip land
       contour.pieces.push_back(
           {links[i].arc, (k + 1) % z, true, false,
            at_root ? tidy_turned(root, here) : tidy_turned(mirrored(links[i].begin), next),
@@ -140,8 +140,8 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   points.reserve(root_to_tip.size());
   for (const Vec2& p : root_to_tip) points.push_back(put(piece.mirrored ? mirrored(p) : p));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
-  // The ends of the piece may differ from the ends of the arc, because slivers are omitted and
-  // because joints are moved to the centre lines.
+  // The ends of the piece may differ from the ends of the arc for two reasons. Slivers are omitted,
+  // and joints are moved to the centre lines.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);
   GW_EXPECTS((points.back() - piece.end).norm() < 3 * kShortestArc);
   points.front() = piece.begin;

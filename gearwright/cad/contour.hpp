@@ -5,7 +5,7 @@
 //
 // For external and internal gears, the contour runs counter-clockwise about the axis. The order of
 // its pieces is: tip land of tooth 0, upper half of tooth 0 from tip to root, root land, lower
-// (mirrored) half of tooth 1 from root to tip, tip land of tooth 1, and so on. The two halves of a
+// (mirrored) half of tooth 1 from root to tip, tip land of tooth 1, and so on. Both halves of a
 // land form one piece, a true circle about the axis. Every other piece is an arc of the outline,
 // mirrored and turned.
 //
@@ -41,13 +41,13 @@ struct Contour {
   std::vector<ContourPiece> pieces;
   double inner_radius;  ///< smallest radius of the outline at the examined points, mm
   double outer_radius;  ///< greatest radius of the outline, mm
-  /// Set only for a rack. Tooth k of a rack is the outline shifted along y by `rack->middle_of(k,
-  /// teeth)`.
+  /// Set only for a rack. The outline shifted along y by `rack->middle_of(k, teeth)` is tooth k of
+  /// the rack.
   std::optional<RackBlock> rack{};
 };
 
-/// Connects the outlines of all teeth into one closed contour. An arc shorter than 1e-6 mm
-/// gives no piece. The next piece then begins at the start of this arc.
+/// Connects the outlines of all teeth into one closed contour. If an arc is shorter than 1e-6 mm,
+/// it gives no piece, and the next piece begins at the start of this arc.
 ///
 /// Errors    if the outline crosses the centre line of the tooth or of the space (severed
 ///           tooth)
@@ -55,15 +55,15 @@ struct Contour {
 ///           ray π/|z| and the last one on the x axis within 1e-6 mm (contract)
 Result<Contour> closed_contour(const Outline& outline);
 
-/// The contour of a rack with its teeth, ends and back, counter-clockwise. Lands, ends and back are
-/// straight lines.
+/// Returns the contour of a rack with its teeth, ends and back, counter-clockwise. Lands, ends and
+/// back are straight lines.
 ///
 /// Domain    teeth ≥ 1; a back below the roots; the laws of pair/rack_pair.hpp hold (contract)
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
-/// Moves points on an arc of the half outline to the position and direction of a piece. The points,
-/// which are given from root to tip, are either mirrored or reversed, and then turned. The first
-/// and the last point are replaced by the ends of the piece.
+/// Moves points on an arc of the half outline to the position and direction of a piece. The points
+/// are given from root to tip. They are either mirrored or reversed, and then turned. The ends of
+/// the piece replace the first and the last point.
 ///
 /// Domain    the piece is not a land, there are at least two points, and the moved end points
 ///           lie within 3e-6 mm of the ends of the piece (contract)

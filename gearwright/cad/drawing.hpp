@@ -1,5 +1,5 @@
 // Definitions shared by all drawings of a transverse section. A drawing of one body shows the
-// section z = 0 in the gear frame, in millimetres, and `body.pose` is not applied.
+// section z = 0 in the gear frame, in millimetres. `body.pose` has no effect on such a drawing.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,10 @@ struct ContourOptions {
   std::optional<double> tolerance_mm = std::nullopt;
 };
 
-/// Wire cutting machines resolve about 1 µm, and the finest tolerances of cut parts are a few µm.
+/// Wire cutting machines resolve about 1 µm. The finest tolerances of cut parts are a few µm.
 inline constexpr double kBiarcTolerance_mm = 0.001;
-/// At this tolerance, dimensions measured in a CAD system are correct in all digits that it
-/// displays.
+/// With this tolerance, dimensions that are measured in a CAD system are correct in all displayed
+/// digits.
 inline constexpr double kSplineTolerance_mm = 1e-6;
 /// A tenth of the resolution of a plotter or of a browser at the greatest zoom.
 inline constexpr double kSvgTolerance_mm = 1e-4;
@@ -53,15 +53,14 @@ Result<BodyContour> body_contour(const ToothedBody& body);
 
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
-/// A fit for each arc of the outline except lands. All teeth share these fits.
+/// A fit for each arc of the outline that is not a land. All teeth share these fits.
 template <class Fit>
 struct ArcFits {
   std::vector<std::optional<Fit>> arcs;  ///< same index as Outline::arcs
   double deviation_mm = 0.0;             ///< greatest deviation of all fits
 };
 
-/// Fits each arc with `fit(arc, tolerance)`. The result of this function must have a member
-/// `deviation_mm`.
+/// Fits each arc with `fit(arc, tolerance)`. The type `Fit` must have a member `deviation_mm`.
 ///
 /// Errors    `tolerance_mm` if an arc cannot be fitted within this tolerance
 template <class Fit>

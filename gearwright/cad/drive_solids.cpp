@@ -12,11 +12,11 @@ namespace gearwright {
 
 namespace {
 
-// Depth of a neck below the roots of its gears, in modules. Grooves of double-helical gears have
-// the same depth.
+// Depth of a neck below the roots of its gears, in modules. It is also the depth of the groove of a
+// double-helical gear.
 constexpr double kNeckDepth = 0.25;
-// Least wall of a neck around the bore, and least distance between a neck and another gear, in
-// modules.
+// Modules. kNeckWall is the least wall of a neck around the bore, and kNeckClearance is the least
+// distance between a neck and another gear.
 constexpr double kNeckWall = 0.5, kNeckClearance = 0.25;
 // Least length of a neck, mm. The surfaces of a shorter neck would be slivers.
 constexpr double kNeckLength_mm = 1e-3;
@@ -45,7 +45,7 @@ Result<ToothedBody> shape_of(const Drive& drive, std::size_t g) {
   return made;
 }
 
-// Greatest distance from the axis or, for a rack, from its middle, mm.
+// Returns the greatest distance from the axis or, for a rack, from the middle of the rack, mm.
 double reach(const ToothedBody& body) {
   if (body.rack) return std::max(body.rack->height, body.outline.teeth * body.rack->pitch / 2.0);
   double radius = body.bore ? body.bore->diameter / 2 : 0.0;
@@ -73,8 +73,8 @@ class Workpieces {
   }
 
  private:
-  // The gears of one solid from bottom to top, and the radii of the necks between them.
-  // `separate` is the reason why the lowest gear is not joined to the gear below it.
+  // The gears of one solid from bottom to top, and the radii of the necks between them. If the
+  // lowest gear is not joined to the gear below, `separate` contains the reason.
   struct Chain {
     std::vector<std::size_t> gears;
     std::vector<double> necks;
@@ -116,9 +116,9 @@ class Workpieces {
     return chains;
   }
 
-  // Radius of the cylinder between two gears of a body. The cylinder lies below the roots of both
-  // gears and clears all other gears at its height. The necks of all copies of the body have the
-  // same radius. The error is the reason why the gears are separate solids.
+  // Returns the radius of the cylinder between two gears of a body. The cylinder lies below the
+  // roots of both gears and clears all other gears at its height. The necks of all copies of the
+  // body have the same radius. The error is the reason why the gears are separate solids.
   Result<double> neck_radius(std::size_t below, std::size_t above) const {
     const ToothedBody &a = shapes_[below], &b = shapes_[above];
     const auto separate = [](const char* why) { return Error{"", "", why}; };
@@ -150,8 +150,8 @@ class Workpieces {
     return radius;
   }
 
-  // Greatest radius that a cylinder about `axis` can have beside or inside another gear, mm. Inside
-  // a hollow gear on the same axis, it is the radius of the bore.
+  // Returns the greatest possible radius of a cylinder about `axis` beside or inside another gear,
+  // mm. Inside a hollow gear on the same axis, this is the radius of the bore.
   double room(const ToothedBody& shape, const PlacedGear& other, const Vec2& axis) const {
     constexpr double kSameAxis_mm = 1e-6;
     const Vec2 away = axis - other.axis;
@@ -165,8 +165,8 @@ class Workpieces {
     return away.norm() - tip;
   }
 
-  // True if the copies of a planet are clocked. The angle between the gears of a copy then
-  // differs from copy to copy.
+  // True if the copies of a planet are clocked, which means that the angle between the gears of a
+  // copy differs from copy to copy.
   bool clocked(std::size_t body) const {
     return std::any_of(drive_.sets.begin(), drive_.sets.end(), [&](const PlanetSet& set) {
       const auto& riders = set.group.riders;
@@ -179,7 +179,7 @@ class Workpieces {
     const PlacedGear& at = placed(gear, copy);
     Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
     x.translate(Vec3(at.axis.x(), at.axis.y(), at.height));
-    // The z axis stays exact, so that the bodies have a common plane section.
+    // The z axis stays exact, so that the bodies lie between common planes.
     x.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(at.angle).toRotationMatrix();
     return SolidPose(x);
   }
@@ -263,7 +263,7 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     area += size * size;
     widest = std::max(widest, size);
   }
-  // The length of the rows, chosen so that the plate is nearly square.
+  // The length of a row. It is chosen so that the plate is nearly square.
   const double row = std::max(widest, 1.1 * std::sqrt(area));
   double x = 0.0, y = 0.0, tall = 0.0;
   for (ToothedBody& body : bodies) {

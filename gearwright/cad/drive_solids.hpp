@@ -1,8 +1,8 @@
 // Makes the solids of whole gears and of drives, at their positions or laid out for printing.
 //
-// External gears of one body with the same bore are one solid, in which a plain cylinder joins
-// each gear to the next one. Gears with different bores are separate workpieces. Internal gears are
-// separate workpieces, too.
+// External gears of one body with the same bore are one solid. In this solid, a plain cylinder
+// joins each gear to the next one. Gears with different bores, and internal gears, are separate
+// workpieces.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace gearwright {
 
-/// The body of a gear in its own frame. The body includes the bore (for an internal gear, the rim),
-/// both halves of a double-helical gear, and the flank modifications. `which` is the number of the
-/// gear in its pair, 1 or 2. The halves must mesh with the halves of the mating gear. On two
-/// external gears, the stagger therefore turns the halves in opposite directions. On an external
-/// and an internal gear, the stagger turns the halves in the same direction.
+/// Returns the body of a gear in its own frame. The body includes the bore (for an internal gear,
+/// the rim), both halves of a double-helical gear, and the flank modifications. `which` is the
+/// number of the gear in its pair, 1 or 2. The halves must mesh with the halves of the mating gear.
+/// The stagger therefore turns the halves of two external gears in opposite directions. It turns
+/// the halves of an external and an internal gear in the same direction.
 ///
 /// Domain    a gear for which gear_body() returns no error (contract)
 /// Errors    `double_helical.gap` if the halves are staggered but have no gap; the errors of
@@ -29,15 +29,15 @@ Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
                                  const std::optional<Halves>& halves, int which,
                                  const std::array<FlankModifications, 2>& modifications);
 
-/// Returns every copy of every solid, each at its position in the common frame of one file. A
-/// copy refers to the first solid with the same shape. Solids of one body have the same colour.
-/// If a gear is not joined to another gear of its body, `separate` contains the reason.
+/// Returns every copy of every solid, each at its position in the common frame of one file. A copy
+/// refers to the first solid with the same shape. Solids of one body have the same colour. If a
+/// gear is not joined to the other gears of its body, `separate` contains the reason.
 ///
 /// Errors    a gear without an outline; the errors of body_as_made()
 Result<std::vector<ToothedBody>> drive_solids(const Drive& drive, const DriveLayout& layout);
 
-/// Moves the solids so that they lie side by side on the plane z = 0 for printing. A solid with
-/// several gears lies on its wider end.
+/// Places the solids side by side on the plane z = 0 for printing. A solid with several gears lies
+/// on its wider end.
 std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies);
 
 }  // namespace gearwright

@@ -41,7 +41,7 @@ Result<Facts> draw_splines(const Outline& outline, const Contour& contour, doubl
     }
     const SectionSpline& fit = *fits->arcs[piece.arc];
     std::vector<double> knots = fit.basis.knots();
-    if (!piece.mirrored) {  // the piece runs from tip to root, against the fit
+    if (!piece.mirrored) {  // the piece runs from tip to root, in the reverse direction of the fit
       std::reverse(knots.begin(), knots.end());
       for (double& knot : knots) knot = 1.0 - knot;
     }

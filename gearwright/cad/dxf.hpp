@@ -7,9 +7,9 @@
 //   splines   PROFILE has one SPLINE per arc of the outline and one SPLINE per land; on a rack,
 //             each land is a LINE; where two pieces meet, their ends are written as equal text
 //
-// Every number is written as the shortest decimal that a reader converts back to the same double.
-// Equal points are therefore equal text. A bore without a keyway is a CIRCLE. A bore with a keyway
-// is a closed LWPOLYLINE.
+// Every number is written as the shortest decimal that a reader converts back to the same double,
+// so equal points have equal text. A bore without a keyway is a CIRCLE. A bore with a keyway is a
+// closed LWPOLYLINE.
 #pragma once
 
 #include "gearwright/cad/drawing.hpp"

@@ -1,9 +1,9 @@
-// Writes a DXF file. It contains the entities and, around them, the sections that readers of
-// AutoCAD 2000 drawings require.
+// Writes a DXF file. The file contains the entities, and the sections that readers of AutoCAD 2000
+// drawings require around the entities.
 //
-// DXF is a list of pairs. Each pair is a group code on one line and a value on the next. Every
-// object has a handle (code 5, hexadecimal) and names its owner (330); entities belong to
-// *Model_Space. The sections are HEADER, CLASSES, TABLES, BLOCKS, ENTITIES and OBJECTS
+// DXF is a list of pairs. Each pair is a group code on one line and a value on the next line. Every
+// object has a handle (code 5, hexadecimal) and names its owner (code 330). The owner of the
+// entities is *Model_Space. The sections are HEADER, CLASSES, TABLES, BLOCKS, ENTITIES and OBJECTS
 // (Autodesk, DXF Reference, AutoCAD 2000).
 #pragma once
 
@@ -18,11 +18,12 @@ namespace gearwright {
 /// Collects entities. Coordinates are in mm in the xy plane.
 class DxfEntities {
  public:
-  /// Sets the position of the entities that are added afterwards. At first it is the identity.
+  /// Sets the pose of all entities that are added afterwards. Before the first call, the pose is
+  /// the identity.
   void place(const Eigen::Isometry2d& pose) { pose_ = pose; }
   /// Adds an LWPOLYLINE. bulges[i] belongs to the segment from points[i] to the next point. If
-  /// there are as many bulges as points, the polyline is closed and the last bulge leads to the
-  /// first point. Otherwise there is one bulge fewer than points.
+  /// there are as many bulges as points, the polyline is closed, and the last bulge leads to the
+  /// first point. If the polyline is open, there is one bulge fewer.
   void polyline(const std::string& layer, const std::vector<Vec2>& points,
                 const std::vector<double>& bulges);
   void circle(const std::string& layer, double radius, const Vec2& center = Vec2::Zero());
@@ -34,8 +35,8 @@ class DxfEntities {
   void text(const std::string& layer, const Vec2& at, const std::string& utf8, double height,
             double degrees);
   /// Adds an arc about the origin from `begin` to `end` as a rational quadratic SPLINE. `sweep` is
-  /// the angle of the arc, rad. The spline is exact and ends at the given points, whereas an ARC
-  /// entity stores its ends only as angles in degrees.
+  /// the angle of the arc, rad. The spline is exact and ends at the given points. An ARC entity, in
+  /// contrast, stores its ends only as angles in degrees.
   void circular_spline(const std::string& layer, const Vec2& begin, const Vec2& end, double sweep);
   /// Writes a clamped non-rational SPLINE.
   void spline(const std::string& layer, int degree, const std::vector<double>& knots,
@@ -62,12 +63,12 @@ struct DxfLayer {
   bool chain = false;   ///< true for the line type CENTER, which has long dashes and dots
 };
 
-/// Returns the whole file. `extent` is a box that contains everything. Text uses the style SHEET
-/// with the font Arial, whose letters are as wide as those of Helvetica.
+/// Returns the whole file. `extent` is a box around all entities. Text has the style SHEET with the
+/// font Arial, whose letters are as wide as those of Helvetica.
 std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
                          const SheetBox& extent);
-/// Returns the whole file. Everything lies within a square about the origin whose half side is
-/// `reach`, mm.
+/// Returns the whole file. All entities lie within a square about the origin. `reach` is half the
+/// side of this square, mm.
 inline std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
                                 double reach) {
   return dxf_document(entities, layers, {{-reach, -reach}, {reach, reach}});

@@ -7,7 +7,7 @@
 
 namespace gearwright::dxf {
 
-// Handles of the fixed sections. The handle of an owner precedes the handles of its objects.
+// Handles of the fixed sections. The handle of an owner is less than the handles of its objects.
 enum DxfHandle : int {
   kNone = 0x0,
   kVports = 0x1,

@@ -24,7 +24,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMmPerPx = kMmPerInch / 96;  // one CSS px is 1/96 inch
-constexpr double kBold = 0.03;  // width of the line that makes letters bold, relative to their size
+constexpr double kBold = 0.03;  // bold letters have a line of this width, relative to their size
 
 using Tree = boost::property_tree::ptree;
 using Px = std::complex<double>;  // a point x + iy with y down, px
@@ -37,7 +37,7 @@ double number(const Tree& node, const char* name) {
   return std::strtod(attribute(node, name).c_str(), nullptr);
 }
 
-// The numbers in a text. All other characters separate them.
+// Returns the numbers in a text. All other characters separate numbers.
 std::vector<double> numbers_of(const std::string& text) {
   std::vector<double> numbers;
   const char* at = text.c_str();
@@ -66,7 +66,7 @@ struct Mapping {
   }
 };
 
-// The outline of a shape as path data; empty for a group.
+// Returns the outline of a shape as path data, or an empty text for a group.
 std::string outline(const std::string& tag, const Tree& node) {
   if (tag == "path") return attribute(node, "d");
   if (tag == "polyline") return "M" + attribute(node, "points");
@@ -108,8 +108,8 @@ class PictureReader {
     return scale_.corner + scale_.mm_per_px * Vec2(p.real(), height_ - p.imag());
   }
 
-  // Draws an element. If `styled` is false, as for shapes in definitions, the style sheet is not
-  // applied.
+  // Draws an element. `styled` is false for shapes in definitions, to which the style sheet does
+  // not apply.
   void draw(const std::string& tag, const Tree& node, const Mapping& parent, Style style,
             std::optional<SheetBox> clip, bool styled) {
     if (tag == "defs" || tag == "clipPath") return;
@@ -259,8 +259,8 @@ class PictureReader {
     }
   }
 
-  // The text as it is printed: zero-width spaces, which end subscripts, are removed, and narrow
-  // spaces become normal spaces.
+  // Returns the text as it is printed. Zero-width spaces, which end subscripts, are removed, and
+  // narrow spaces become normal spaces.
   static std::string printed(std::string text) {
     for (std::size_t at; (at = text.find("\u200b")) != text.npos;) text.erase(at, 3);
     for (std::size_t at; (at = text.find("\u202f")) != text.npos;) text.replace(at, 3, " ");
@@ -271,7 +271,7 @@ class PictureReader {
   PictureScale scale_;
   double height_;  // px
   Sheet sheet_ = {};
-  std::string name_ = {};  // classes of the current element; its layer has this name
+  std::string name_ = {};  // classes of the current element; they name its layer
   std::map<std::string, std::pair<std::string, const Tree*>, std::less<>> ids_ = {};
 };
 

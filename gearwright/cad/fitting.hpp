@@ -1,6 +1,6 @@
 // Functions shared by the fits that replace arcs by simpler curves. Internal to cad/.
 //
-// The distance of a point from a circle is needed for a circle that is described by one of its
+// Some fits need the distance of a point from a circle. The circle is described by one of its
 // points and the normal at this point. The formula must also be valid for lines:
 //
 //   e    the point, relative to the given point of the circle, mm      κ    curvature, 1/mm
@@ -12,9 +12,9 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps. Each step is as long as a condition allows. The number of steps
-// is the smallest possible one if every step longer than a failing step fails, too. The
-// condition "the error is within the tolerance" has this property if the error grows with the
+// An interval is covered by steps. Each step is as long as a condition permits. Suppose that, if a
+// step fails, every longer step also fails. The number of steps is then the smallest possible one.
+// The condition "the error is within the tolerance" has this property if the error grows with the
 // length of the step.
 #pragma once
 
@@ -25,7 +25,8 @@
 
 namespace gearwright {
 
-/// Distance of e from the circle through the origin with the normal N and the curvature κ.
+/// Returns the distance of e from the circle through the origin with the normal N and the curvature
+/// κ.
 ///
 /// Units     mm
 /// Domain    |N| = 1; κ = 0 gives the straight line
@@ -35,8 +36,8 @@ inline double circle_distance(const Vec2& e, const Vec2& normal, double kappa) {
   return std::abs(q) / (1.0 + std::sqrt(std::max(0.0, 1.0 + kappa * q)));
 }
 
-/// Normal distance of p from a curve near the curve point w, computed from the osculating circle at
-/// w.
+/// Returns the normal distance of p from a curve near the curve point w, computed from the
+/// osculating circle at w.
 ///
 /// Accuracy  third order in the distance from w along the curve
 inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
@@ -49,8 +50,8 @@ struct StepLimits {
   double known;     ///< relative to the step; the search ends when its bracket is at most this wide
 };
 
-/// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search
-/// has the length `guess`.
+/// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search has
+/// the length `guess`.
 ///
 /// Accuracy  the step from `from` to x is too short by at most limits.known times its length;
 ///           if no step fits, its length is at most limits.shortest

@@ -16,8 +16,8 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// Quality of a triangle, which is the sine of its smallest angle. The sine is twice the area
-// divided by the product of the two longest sides.
+// Returns the quality of a triangle, which is the sine of its smallest angle. This is twice the
+// area divided by the product of the two longest sides.
 double width(const Vec2& a, const Vec2& b, const Vec2& c) {
   std::array<double, 3> side{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
   std::sort(side.begin(), side.end());
@@ -44,7 +44,7 @@ class EarClipper {
     for (std::size_t left = points_.size(); left > 2; --left) {
       std::size_t best = best_ear();
       if (quality_[best] == kNoEar) {
-        // If three corners are collinear, a corner that is not adjacent to the removed ear can also
+        // If three corners are collinear, even a corner that is not next to the removed ear can
         // become an ear.
         for (std::size_t i = next_[last_], k = 0; k < left; i = next_[i], ++k) rate(i);
         best = best_ear();
@@ -91,7 +91,7 @@ class EarClipper {
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
   std::vector<double> quality_;
-  std::size_t last_ = 0;  // a corner that has not been cut off
+  std::size_t last_ = 0;  // a corner that still remains
 };
 
 double polar(const Vec2& p) { return std::atan2(p.y(), p.x()); }
@@ -114,9 +114,9 @@ std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector
   const std::size_t m = outer.size();
   GW_EXPECTS(n >= 3 && m >= 3);
 
-  // The first triangle begins at the outer corner that has the polar angle of the first inner
-  // point. If there is no such corner, it begins at the next corner with a smaller polar angle.
-  // All angles are measured from this corner.
+  // The first triangle begins at the outer corner with the polar angle of the first inner point. If
+  // there is no such corner, it begins at the next corner with a smaller polar angle. All angles
+  // are measured from this corner.
   const double start = polar(inner[0]);
   std::size_t first = 0;
   for (std::size_t j = 1; j < m; ++j) {

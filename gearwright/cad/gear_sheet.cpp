@@ -26,9 +26,9 @@ constexpr auto kOutline = SheetLayer::outline;
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 12;
-// For a gear without a bore: distance of the datum symbol from the left face, and length of the
-// axis beyond this face, mm. With this length, the axis ends 2 mm from the axis of the
-// transverse view.
+// For a gear without a bore, mm: kAxisDatum is the distance of the datum symbol from the left face,
+// and kAxisEnd is the length of the axis beyond this face. The axis then ends 2 mm from the axis of
+// the transverse view.
 constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
 
 std::string with_fit(const std::string& size, const std::string& fit) {
@@ -74,7 +74,7 @@ class GearViews : public SheetViews {
 
  private:
   bool ring() const { return input_.body.ring(); }
-  // There are no teeth in the gap of a double-helical gear, so the section lies in one half.
+  // The gap of a double-helical gear contains no teeth, so the section lies in one half.
   std::string where() const {
     return !input_.body.grooved()    ? "Section in the middle of the face width"
            : input_.body.twist > 0.0 ? "Section in the middle of the right-hand half"
@@ -83,7 +83,7 @@ class GearViews : public SheetViews {
   bool keyed() const { return !ring() && bore_ && bore_->keyway; }
   const Bore& bore() const { return *input_.body.bore; }
   std::string length(double mm) const { return length_text(input_.units, mm); }
-  // A computed diameter is rounded to µm. The table contains the exact diameter.
+  // A computed diameter is rounded to µm, because the table already contains the exact diameter.
   std::string diameter(double radius) const {
     return "Ø" + computed_length_text(input_.units, 2 * radius);
   }
@@ -93,7 +93,7 @@ class GearViews : public SheetViews {
   double shelf() const { return k_ * body_ + kShelf; }
   double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader has an inclination of 60°
 
-  // The dimensions to the left of the axial section, which has its left face at x.
+  // Returns the dimensions to the left of the axial section. The left face of the section is at x.
   std::vector<Dimension> dimensions_on_left(double x) const {
     std::vector<Dimension> all;
     if (ring() || !bore_) return all;
@@ -106,7 +106,8 @@ class GearViews : public SheetViews {
     return all;
   }
 
-  // The lengths of the axial section on paper, with the dimensions and the datum to its left.
+  // Returns the lengths of the axial section on paper, with the dimensions and the datum to its
+  // left.
   AxialSection section() const {
     const bool grooved = input_.body.grooved();
     const double gap = grooved ? k_ * input_.body.two_helices->gap : 0.0;
@@ -143,7 +144,7 @@ class GearViews : public SheetViews {
   }
 
   void transverse() {
-    // The last band is the half at z > 0. Without a gap, the section is in the middle plane.
+    // The last band is the half at z > 0. If there is no gap, the section is in the middle plane.
     const Band band = input_.body.bands().back();
     const Eigen::Rotation2Dd turn(input_.body.grooved() ? band.angle(band.middle) : 0.0);
     std::vector<Vec2> points;
@@ -180,7 +181,7 @@ class GearViews : public SheetViews {
     const auto metal = [&](double lo, double hi) {
       hatch(*sheet_, {origin_ + Vec2(x0, lo), origin_ + Vec2(x1, hi)});
     };
-    // No teeth lie between this radius and the bore or the rim.
+    // Between this radius and the bore or the rim, there are no teeth.
     const double limit = input_.body.limit_within(root_);
     if (input_.body.grooved())
       grooved(x0, x1, limit);

@@ -54,11 +54,11 @@ struct GearSheet {
   double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 
-/// A length in the unit of a sheet. Lengths in mm have at most four decimals, and lengths in inch
-/// have four.
+/// Returns a length in the unit of a sheet. Lengths in mm have at most four decimals, and lengths
+/// in inch have exactly four.
 std::string length_text(UnitSystem units, double mm);
 
-/// `tolerance_mm` is the tolerance of the outline, in mm on the gear.
+/// Makes the drawing of a gear. `tolerance_mm` is the tolerance of the outline, in mm on the gear.
 ///
 /// Errors    those of dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
 ///           that cannot be fitted within the tolerance

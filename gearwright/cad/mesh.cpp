@@ -21,21 +21,21 @@ namespace {
 
 // The turn Δ between two levels satisfies ρΔ² = 2ε, where ε is the chord tolerance and ρ the
 // largest radius. On the tip land, d = a²/(8ρ). With a chord a = ρΔ, the three terms of (M1),
-// multiplied by 8, are 2ε, 4ε and 2ε. This choice gives the fewest triangles.
+// multiplied by 8, are 2ε, 4ε and 2ε. This choice of Δ gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
-// In a thin wall, the chords of the two sides must not meet. The tolerance therefore does not
-// exceed this fraction of the wall thickness.
+// In a thin wall, the chords of the two sides must not meet. The tolerance is therefore at most
+// this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
 
 // A mesh beyond these limits is rejected. The limit of vertices corresponds to a file of 200 MB,
-// which printers cannot read. At the limit of points, the triangulation of the cap of a tooth takes
-// a few seconds, because its cost is quadratic in the number of points.
+// which printers cannot read. The triangulation of the cap of a tooth has a cost that is quadratic
+// in the number of points. At the limit of points, it takes a few seconds.
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
-// The columns of one pitch, counter-clockwise from the middle of a tooth space. The column in
-// the middle of the next tooth space is not included.
+// Returns the columns of one pitch, counter-clockwise from the middle of a tooth space. The column
+// in the middle of the next tooth space is not included.
 std::vector<Column> pitch_columns(const std::vector<SectionPoint>& half, int copies) {
   const std::size_t n = half.size() - 1;
   const SinCos back = sincos_turn(-1, copies);
@@ -60,7 +60,7 @@ std::vector<Vec2> points_of(const std::vector<SectionPoint>& half) {
   return points;
 }
 
-// Smallest distance from the axis to the polygon of the section.
+// Returns the smallest distance from the axis to the polygon of the section.
 double polygon_reach_min(const std::vector<SectionPoint>& half) {
   double reach = half.front().point.norm();
   for (std::size_t i = 0; i + 1 < half.size(); ++i) {
@@ -72,7 +72,7 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// The columns of a plain cylinder, with normals away from the axis.
+// Returns the columns of a plain cylinder, with normals away from the axis.
 std::vector<Column> neck_columns(double radius, double chord, double facet_turn) {
   std::vector<Column> columns = bore_columns({2.0 * radius}, chord, facet_turn);
   for (Column& column : columns) column.before = column.after = -column.after;
@@ -81,8 +81,9 @@ std::vector<Column> neck_columns(double radius, double chord, double facet_turn)
 
 class GearMesh {
  public:
-  /// `below` and `above` are the radii of the inner walls that end on the lower and the upper
-  /// end face. Each is the greatest radius of the bore with its keyway, the radius of a neck, or 0.
+  /// `below` and `above` are the radii of the inner walls that end on the lower and on the upper
+  /// end face. Each radius is the greatest radius of the bore with its keyway, the radius of a
+  /// neck, or 0.
   ///
   /// Errors    those of tessellate()
   static Result<GearMesh> divide(const SolidGear& gear, const MeshOptions& options, double below,
@@ -172,7 +173,7 @@ class GearMesh {
     return {true, z, bands_.back().angle(z), upper_.top};
   }
 
-  // The rings of the modified teeth, or of their mirror image, in a band of the solid.
+  // Returns the rings of the modified teeth, or of their mirror image, in a band of the solid.
   static std::vector<Ring> in_band(std::vector<Ring> rings, const Band& band, bool mirrored) {
     if (mirrored) std::reverse(rings.begin(), rings.end());
     const double sign = mirrored ? -1.0 : 1.0;
@@ -207,7 +208,7 @@ class GearMesh {
     if (auto error = hole_error(body().bore, body().hole_limits(root.norm()))) return error;
     const double r = root.norm();
     double wall = std::min(std::abs(r - below), std::abs(r - above));
-    // A neck begins at an end face, so only the bore or the rim is beside the groove.
+    // A neck begins at an end face, so only the bore or the rim can lie beside the groove.
     if (body().grooved()) {
       const double limit = body().limit_within(r);
       const double hole = ring_         ? body().bore->diameter / 2.0
@@ -249,8 +250,8 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // The cap at the height z of the modified teeth. `radius` is the radius of the hole or, for an
-  // internal gear, of the rim or groove.
+  // Returns the cap at the height z of the modified teeth. `radius` is the radius of the hole. For
+  // an internal gear, it is the radius of the rim or groove.
   std::optional<Cap> cap_at(double radius, double z) const {
     const int teeth = body().outline.teeth;
     const Circle circle = ring_ ? rim_circle(radius, copies_, tolerance_)
@@ -264,8 +265,8 @@ class GearMesh {
   std::optional<Error> find_caps(double below, double above) {
     const double end = bands_.front().width / 2;
     top_ = cap_at(above, end);
-    // The half at z < 0 is the mirror image of the other half, so its lower end is the upper end of
-    // the modified teeth.
+    // The half at z < 0 is the mirror image of the other half. Its lower end is therefore the upper
+    // end of the modified teeth.
     bottom_ =
         body().modified || below != above ? cap_at(below, body().two_helices ? end : -end) : top_;
     if (!top_ || !bottom_)
@@ -273,10 +274,11 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // The band of a circular wall of an internal gear, which is the rim or the groove. At both ends
-  // of this wall, the columns must be turned by the same angle as the teeth. The wall therefore has
-  // the screw motion of the teeth. On a double-helical gear, whose halves have different screw
-  // motions, the wall turns evenly from the angle at one end to the angle at the other end.
+  // Returns the band of a circular wall of an internal gear, which is the rim or the groove. At
+  // both ends of this wall, the columns must be turned by the same angle as the teeth. The wall
+  // therefore has the screw motion of the teeth. The halves of a double-helical gear have different
+  // screw motions. In this case, the wall turns evenly from the angle at one end to the angle at
+  // the other end.
   Band around(double width) const {
     if (!body().two_helices) return bands_.front();
     const double stagger = body().two_helices->stagger;

@@ -9,12 +9,12 @@
 //
 //     d + (2 a |Δ| + ρ Δ²) / 8                                                               (M1)
 //
-// P deviates by at most d from its chord C. In addition, the screw surface T(u, ζ) of this chord is
-// interpolated linearly over a triangle with legs a and h. The error is at most (a²|T_uu| +
-// 2ah|T_uζ| + h²|T_ζζ|)/8 (Filip, Magedson and Markot, 1986), where T_uu = 0, |T_uζ| = |τ|, |T_ζζ|
-// ≤ ρτ². (M1) holds for both diagonals of a grid cell.
+// P deviates by at most d from its chord C. The screw surface T(u, ζ) of this chord is interpolated
+// linearly over a triangle with legs a and h. The error of this interpolation is at most (a²|T_uu|
+// + 2ah|T_uζ| + h²|T_ζζ|)/8 (Filip, Magedson and Markot, 1986), where T_uu = 0, |T_uζ| = |τ| and
+// T_ζζ| ≤ ρτ². (M1) is the sum of both and holds for both diagonals of a grid cell.
 //
-// Only one half tooth is meshed, or both halves of one tooth if the flanks are modified. All other
+// Only one half tooth is meshed or, if the flanks are modified, both halves of one tooth. All other
 // teeth are made by mirroring and by turning with sincos_turn, so every tooth is an exact copy of
 // tooth 0. Time and size are proportional to |z|.
 #pragma once
@@ -44,7 +44,7 @@ struct TriangleMesh {
   std::vector<Vec3> vertices;       ///< mm, each vertex of the body occurs once
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
 
-  // The same surface for shading. A vertex on a crease occurs once per smooth face.
+  // The same surface for shading. A vertex on a crease occurs once for each adjacent smooth face.
   std::vector<std::uint32_t> shaded_vertices;  ///< index into `vertices`
   std::vector<Vec3> normals;                   ///< outward unit normals of the exact surface
   std::vector<Triangle> shaded_triangles;      ///< index into `shaded_vertices`
@@ -56,15 +56,16 @@ struct MeshPart {
   TriangleMesh mesh;  ///< mesh in the frame of the solid
   SolidPose pose{};
   std::optional<std::size_t> colour{};   ///< for part_colour(); by default the index of the part
-  std::optional<std::size_t> same_as{};  ///< earlier part with the same mesh; `mesh` is then empty
+  std::optional<std::size_t> same_as{};  ///< earlier part with the same mesh; if set, `mesh` is
+                                         ///< empty
 };
 
-/// The body as a closed oriented mesh in the gear frame. `body.pose` is not applied. The gears in
+/// Returns the body as a closed oriented mesh in the gear frame, without `body.pose`. The gears in
 /// `body.above` belong to the same mesh.
 ///
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
 ///           the caps are plane. If the distance from the bore (or rim) to the root is less than
-///           four tolerances, a quarter of that distance replaces the tolerance
+///           four tolerances, a quarter of this distance replaces the tolerance
 /// Errors    bore.diameter_mm (with the largest permissible value); bore.keyway_*; teeth if the
 ///           outline does not enclose a body (severed tooth, root beyond the axis);
 ///           chord_tolerance_mm if the mesh would have more than 2·10⁶ vertices or 20 000 points on
@@ -72,8 +73,8 @@ struct MeshPart {
 /// Domain    face width and tolerances > 0, teeth ≠ 0, the laws of the outline hold (contract)
 Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& options = {});
 
-/// Enclosed volume, mm³.   Accuracy  limited by rounding: about 1e-15 times the volume times
-/// √(number of triangles)
+/// Returns the enclosed volume, mm³.   Accuracy  limited by rounding: about 1e-15 times the volume
+/// times √(number of triangles)
 double mesh_volume(const TriangleMesh& mesh);
 
 }  // namespace gearwright

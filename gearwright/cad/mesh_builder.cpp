@@ -8,17 +8,16 @@ namespace gearwright {
 
 namespace {
 
-// A change of the normal direction by more than this angle (rad) forms a crease. Where arcs have a
-// common tangent, the change is only a rounding error.
+// A greater change of the normal direction, rad, is a crease. At a joint of arcs with a common
+// tangent, the change is only a rounding error.
 constexpr double kCrease = 1e-3;
 
 bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
 
 // Decides between the two diagonals of the quad between two columns. Returns true if the rising
-// diagonal is at least as near to the surface as the falling one. The rising diagonal leads
-// from the bottom of `one` to the top of `two`. In the middle, the section deviates from its
-// chord by chord·(n_2 − n_1)/8 along its normal, where n_1 and n_2 are the normals at the two
-// columns.
+// diagonal is at least as near to the surface as the falling one. The rising diagonal leads from
+// the bottom of `one` to the top of `two`. In the middle, the section deviates from its chord by
+// chord·(n_2 − n_1)/8 along its normal. n_1 and n_2 are the normals at the two columns.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
   const double turn = levels.band.twist * levels.band.width / levels.steps;
   const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;
@@ -31,8 +30,8 @@ bool rising_diagonal(const Column& one, const Column& two, const Levels& levels)
   return std::abs(rising.dot(normal) - bulge) <= std::abs(falling.dot(normal) - bulge);
 }
 
-// The diagonals are chosen once per part. The screw motion carries this choice to every level and
-// every tooth.
+// The diagonals are chosen once per part. All levels and all teeth use the same choice, because a
+// screw motion does not change the distances from the surface.
 std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
                                    const Levels& levels) {
   Column beyond = part.front();
@@ -89,7 +88,7 @@ void MeshBuilder::add_shaded(std::uint32_t vertex, const Vec3& normal) {
   mesh_.normals.push_back(normal);
 }
 
-// Adds a level of copy 0 and then its turned copies.
+// Adds a level of copy 0, and then the turned copies of this level.
 void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, int copies,
                            const WallEnds* below) {
   for (int k = 0; k < copies; ++k) {
@@ -131,8 +130,8 @@ WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& 
                    static_cast<int>(rings.size()) - 1, edges, copies, inward);
 }
 
-// `bottom` is the first vertex of the lowest ring. The vertices of all other rings begin at
-// `second`.
+// `bottom` is the first vertex of the lowest ring. `second` is the first vertex of the second ring,
+// and the vertices of all higher rings follow.
 WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::size_t first_shaded,
                                 int steps, const WallEdges& edges, int copies, bool inward) {
   const std::size_t columns = edges.crease.size();
@@ -168,7 +167,7 @@ WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::siz
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,
                            const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward) {
   // Seen from outside, towards the axis, the corners run counter-clockwise from the lower left one.
-  // If `inward` is true, the order is reversed.
+  // If `inward` is true, their order is reversed.
   const std::array<std::size_t, 6> order = rising ? std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3}
                                                   : std::array<std::size_t, 6>{0, 1, 3, 1, 2, 3};
   for (std::size_t t = 0; t < order.size(); t += 3) {

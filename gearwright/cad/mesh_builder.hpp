@@ -4,7 +4,7 @@
 //
 // A wall is one part of a section, repeated around the axis and moved along the axis by a screw
 // motion. A cap is plane and uses the end rings of walls. If the normal jumps at a vertex, the
-// vertex is shaded once per side.
+// shaded copy has this vertex once per side.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ struct RingPoint {
   Vec3 before, after;  ///< unit normals, pointing out of the material
 };
 
-/// One level of a wall that is not a screw surface: a point for each column of the first copy of
-/// the wall.
+/// One level of a wall that is not a screw surface. It has a point for each column of the first
+/// copy of the wall.
 struct Ring {
   double z;  ///< mm
   std::vector<RingPoint> points;
@@ -47,14 +47,14 @@ struct Ring {
 
 struct WallEdges {
   std::vector<char> crease;  ///< per column: true if it is a crease
-  std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises from it
+  std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises
 };
 
-/// The edges of a wall that is a screw surface.
+/// Returns the edges of a wall that is a screw surface.
 WallEdges edges_of(const std::vector<Column>& part, int copies, const Levels& levels);
 
-/// The end rings of a wall. Column i of copy k is vertex `bottom` + k·columns + i, or `top` +
-/// k·columns + i.
+/// The end rings of a wall. Column i of copy k is the vertex `bottom` + k·columns + i of the lower
+/// ring, and the vertex `top` + k·columns + i of the upper ring.
 struct WallEnds {
   std::uint32_t bottom;
   std::uint32_t top;
@@ -64,13 +64,13 @@ class MeshBuilder {
  public:
   /// Adds a closed wall of `copies` equal parts. If `inward` is true, the material lies outside the
   /// wall. Copy k is exactly copy 0 turned by sincos_turn(k, copies). If `below` is given, the wall
-  /// begins at the top ring of that wall, which must have the same columns. If `below` is null, the
-  /// wall begins with a new ring.
+  /// begins at the top ring of the wall `below`, which must have the same columns. If `below` is
+  /// null, the wall begins with a new ring.
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
                     const WallEnds* below = nullptr);
 
-  /// Adds a wall whose levels are given one by one, from bottom to top. `below` has the same
-  /// meaning as above.
+  /// Adds a wall whose levels are given one by one, from bottom to top. `below` is the same as in
+  /// the other add_wall().
   ///
   /// Domain    two rings or more, each with a point for every column (contract)
   WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies, bool inward,
@@ -96,8 +96,8 @@ class MeshBuilder {
     std::size_t count;
     std::uint32_t shaded;
   };
-  // Indices of the shaded columns of one part. For column i, before[i] belongs to the quad that
-  // ends there; after[i] belongs to the quad that begins there.
+  // Indices of the shaded columns of one part. before[i] belongs to the quad that ends at column i,
+  // and after[i] belongs to the quad that begins at column i.
   struct Shades {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> after;

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// The 2q columns of the circle over one pitch. The first one lies on the ray −π/|z|.
+// Returns the 2q columns of the circle over one pitch. The first column lies on the ray −π/|z|.
 std::vector<Column> columns_of(const Circle& circle, int copies) {
   std::vector<Column> columns;
   for (int i = -circle.q; i < circle.q; ++i) {
@@ -23,16 +23,16 @@ std::vector<Column> columns_of(const Circle& circle, int copies) {
   return columns;
 }
 
-// Triangles of one half pitch of a cap, with local indices of their corners. The indices 0 … n are
-// the points of the half section from root to tip. The indices n + 1 … n + 1 + q are the points of
-// the circle from the centre line of the tooth to the middle of the space.
+// Returns triangles of one half pitch of a cap, with local indices of their corners. The indices 0
+// … n are the points of the half section from root to tip. The indices n + 1 … n + 1 + q are the
+// points of the circle from the centre line of the tooth to the middle of the space.
 std::optional<std::vector<Triangle>> half_pitch_cap(std::vector<Vec2> corners,
                                                     const std::vector<Column>& circle, bool ring) {
   for (std::size_t j = circle.size() / 2 + 1; j-- > 0;) {
     corners.push_back(mirrored(circle[j].point));
   }
-  // The corners run clockwise around the material of an external tooth, and counter-clockwise for
-  // an internal gear.
+  // The corners run clockwise around the material of an external tooth. For an internal gear, they
+  // run counter-clockwise.
   const std::size_t count = corners.size();
   if (!ring) std::reverse(corners.begin(), corners.end());
   auto triangles = clip_ears(corners);

@@ -3,9 +3,9 @@
 //   n    segments of the section of half a tooth      q    points on the circle per half pitch
 //
 // A circle divides each cap. The triangles between the teeth and the circle are computed for one
-// half pitch and repeated for all others. For an external gear, the cap also contains the ring
-// between the circle and the bore or the groove, or the full disc inside the circle. For an
-// internal gear, the circle is the rim or the groove.
+// half pitch and repeated for all others. For an internal gear, the circle is the rim or the
+// groove. For an external gear, the cap also contains the inner part: the ring between the circle
+// and the bore or the groove, or the full disc inside the circle.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ struct Circle {
   int q;
 };
 
-/// The circle halfway between the roots and the hole or the groove. The angular step of the circle
-/// is small enough for zip_ring (cad/flat_cap.hpp).
+/// Returns the circle halfway between the roots and the hole or the groove. Its angular step is
+/// small enough for zip_ring (cad/flat_cap.hpp).
 Circle hub_circle(double hole_reach, double root_reach, int copies);
 
-/// The outer circle of the material of an internal gear. The step of the circle follows from (M1)
-/// in mesh.hpp with d = a²/(8ρ), as for the tip land of an external gear.
+/// Returns the outer circle of the material of an internal gear. As for the tip land of an external
+/// gear, the angular step follows from (M1) in mesh.hpp with d = a²/(8ρ).
 Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance);
 
 /// A plane in which walls end.
@@ -41,22 +41,22 @@ struct CapPlace {
 
 class Cap {
  public:
-  /// Returns no cap if the outline crosses itself.
+  /// Makes a cap. Returns none if the outline crosses itself.
   ///
   /// Domain    lower, upper: corners of the two halves of a tooth from root to tip, both mirrored
   ///           to the upper half, in the section z = 0, mm
   static std::optional<Cap> divide(const std::vector<Vec2>& lower, const std::vector<Vec2>& upper,
                                    const Circle& circle, int teeth);
 
-  /// The circle as columns of one pitch, for a wall along it.
+  /// Returns the circle as columns of one pitch, for a wall along the circle.
   std::vector<Column> circle_columns(bool inward) const;
 
-  /// Adds the cap of an internal gear. The circle of the cap is a ring of a wall, and `circle` is
-  /// the first vertex of this ring.
+  /// Adds the cap of an internal gear. The circle of the cap is a ring of a wall, and the argument
+  /// `circle` is the first vertex of this ring.
   void add(MeshBuilder& builder, const CapPlace& place, std::uint32_t circle) const;
 
-  /// Adds the cap of an external gear. `columns` belong to the wall of the hole and are empty if
-  /// the cap has no hole. `hole` is the first vertex of the ring in which this wall ends.
+  /// Adds the cap of an external gear. `columns` are the columns of the wall of the hole. They are
+  /// empty if the cap has no hole. `hole` is the first vertex of the ring at the end of this wall.
   void add(MeshBuilder& builder, const CapPlace& place, const std::vector<Column>& columns,
            std::uint32_t hole) const;
 

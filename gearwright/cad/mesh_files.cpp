@@ -24,7 +24,8 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// Returns the normal of the triangle whose corners are rounded to float32, as in the file.
+// Returns the normal of a triangle. As in the file, the corners of the triangle are rounded to
+// float32.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();
@@ -69,8 +70,8 @@ void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
   xml += "</triangles></mesh></object>\n";
 }
 
-// 3MF multiplies row vectors by the matrix. The images of the three axes therefore come first,
-// followed by the image of the origin.
+// 3MF multiplies row vectors by the matrix. The file therefore contains the images of the three
+// axes first, and then the image of the origin.
 std::string transform(const SolidPose& pose) {
   std::string out;
   for (int column = 0; column < 4; ++column) {
@@ -103,13 +104,13 @@ std::string json_string(const std::string& text) {
   return out + "\"";
 }
 
-// Writes the shortest decimals from which a reader obtains the same floats.
+// Writes the shortest decimals that a reader converts back to the same floats.
 std::string json_vector(const Eigen::Vector3f& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
 
-// Writes the matrix by columns, as glTF requires. The result is empty for the identity, which is
-// the default.
+// Writes the matrix by columns, as glTF requires. The text is empty for the identity, which is the
+// default of glTF.
 std::string json_matrix(const SolidPose& pose) {
   Eigen::Matrix4d m = pose.isometry().matrix();
   m.topRightCorner<3, 1>() *= kMetresPerMm;
@@ -122,7 +123,7 @@ std::string json_matrix(const SolidPose& pose) {
   return ",\"matrix\":[" + numbers + "]";
 }
 
-// The lists of the JSON chunk, which are extended part by part together with the binary chunk.
+// The lists of the JSON chunk. They are extended part by part together with the binary chunk.
 struct Lists {
   std::string nodes, roots, meshes, materials, accessors, views;
   int view_count = 0;
@@ -139,7 +140,7 @@ struct Lists {
   }
 };
 
-// The mesh of a part, or of the earlier part whose mesh it shares.
+// Returns the mesh of a part. If the part shares the mesh of an earlier part, returns that mesh.
 const TriangleMesh& mesh_of(const std::vector<MeshPart>& parts, std::size_t i) {
   return parts[parts[i].same_as.value_or(i)].mesh;
 }
@@ -150,7 +151,7 @@ void add_node(const MeshPart& part, std::size_t node, std::size_t mesh, Lists& l
                                       json_matrix(part.pose)));
 }
 
-// Adds the mesh and the material of a part, which both have the number `index`.
+// Adds the mesh and the material of a part. Both get the number `index`.
 void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index, Lists& lists,
               std::string& binary) {
   const TriangleMesh& mesh = part.mesh;
@@ -161,7 +162,7 @@ void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index,
   for (const Triangle& t : mesh.shaded_triangles) {
     for (const std::uint32_t corner : t) append_u32(binary, corner);
   }
-  // Each view has one accessor, so both have the same number.
+  // Each view has one accessor, so view and accessor have the same number.
   const int indices = lists.add_view(begin, binary.size(), kElementArrayBuffer);
   Lists::add(lists.accessors,
              fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"SCALAR"}})",
@@ -219,7 +220,7 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
 
   std::string out;
   out.reserve(kHeaderBytes + 4 + kTriangleBytes * count);
-  // The text must not begin with "solid", because that word marks a text STL.
+  // The text must not begin with "solid", because this word marks a text STL.
   out = "Gearwright, binary STL, mm:";
   for (const MeshPart& part : parts) out += " " + part.name;
   out.resize(kHeaderBytes, ' ');

@@ -10,8 +10,8 @@
 namespace gearwright {
 
 /// Returns the bytes of a binary STL file. All parts are written into one list of triangles at
-/// their poses. Corners at the same vertex of the mesh have the same bytes, so readers can
-/// reconnect the triangles.
+/// their poses. Corners at the same vertex of the mesh have the same bytes, so a reader can connect
+/// the triangles again.
 ///
 /// Units     mm, in the frame to which the poses transform
 /// Accuracy  coordinates rounded to float32: 2 nm at a radius of 50 mm
@@ -29,8 +29,8 @@ std::string threemf_bytes(const std::vector<MeshPart>& parts);
 /// Returns the bytes of a GLB file, which is glTF 2.0 in one binary file.
 ///
 /// Each part has one node with its pose as a matrix, one mesh with smooth normals, and one material
-/// with its own colour. Lengths are in metres, as glTF requires. The gear axis remains z, which
-/// points at the viewer in glTF, so the viewer sees the end face of the gear.
+/// with its own colour. Lengths are in metres, as glTF requires. The gear axis remains the z axis.
+/// In glTF, the z axis points at the viewer, so the viewer sees the end face of the gear.
 ///
 /// Accuracy  coordinates rounded to float32 metres: 2 nm at a radius of 50 mm
 /// Domain    at least one part, rigid poses, fewer than 2³² bytes in all (contract)

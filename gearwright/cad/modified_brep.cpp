@@ -40,7 +40,7 @@ class ModifiedWriter {
     Corners below = base ? base->corners : corners_at(0);
     Edges floor = base ? base->edges : level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
-    // Per wall: the upright edges at its start, one for each layer above the last plane.
+    // For each wall, the upright edges at its start, one for each layer above the last plane.
     std::vector<Edges> chain(n);
     std::size_t plane = 0;
     Edges plane_floor = floor;
@@ -129,7 +129,7 @@ class ModifiedWriter {
     const ToothWall& w = wall(i);
     return fit_.faces[w.left ? 1 : 0][layer][*w.arc].poles;
   }
-  // Pole (a, b) of a face; a counts along the loop, b upwards.
+  // Returns pole (a, b) of a face. a counts along the loop, and b counts upwards.
   Vec3 pole(std::size_t i, std::size_t layer, std::size_t a, std::size_t b) const {
     const auto& rows = poles(i, layer);
     Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
@@ -145,8 +145,8 @@ class ModifiedWriter {
     return w.left ? backward(knots) : knots;
   }
 
-  // Pole b of the upright edge at the start of wall i. For a land, this edge is the end of the
-  // previous wall.
+  // Returns pole b of the upright edge at the start of wall i. If wall i is a land, this edge is
+  // also the end of the previous wall.
   Vec3 upright_pole(std::size_t i, std::size_t layer, std::size_t b) const {
     if (wall(i).arc) return pole(i, layer, 0, b);
     return pole(i - 1, layer, poles_u(i - 1, layer) - 1, b);

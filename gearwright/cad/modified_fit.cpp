@@ -20,17 +20,17 @@ namespace {
 constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
 constexpr int kLineChecks = 12, kFaceChecks = 8;  // checked points between neighbouring knots
 constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
-// Least distance between a plane and the line at which an end relief begins, relative to the
-// height of a slice. The plane and the line must not be too near to each other, because the
-// removal of the material c moves the line out of its plane z = const. The displacement c sin β_b
-// of the line is about a hundredth of a module.
+// Least distance between a plane and the line at which an end relief begins, relative to the height
+// of a slice. The removal of the material c moves this line out of its plane z = const. Its
+// displacement is c sin β_b, about a hundredth of a module. The line must therefore keep a distance
+// from the plane.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 
 using Point = std::function<Vec3(double)>;
 
-// For each span, returns the greatest distance between an exact line and the spline through
-// points of this line.
+// Returns, for each span, the greatest distance between an exact line and the spline through points
+// of this line.
 std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   Eigen::MatrixXd samples(basis.poles(), 3);
   for (int i = 0; i < basis.poles(); ++i)
@@ -42,7 +42,7 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
 }
 
 // Fits one side of the teeth. Along an arc, u is the parameter of the spline that represents the
-// arc as cut. This parameter is either the curve's own parameter or the relative arc length.
+// arc as cut. It is the curve's own parameter or the relative arc length.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {
@@ -73,7 +73,7 @@ class SideFitter {
     return side_.point(arc, u, row);
   }
 
-  // Halves the spans along u in which the spline misses the target on the given row.
+  // Halves each span along u in which the spline misses the target on the given row.
   void refine(std::size_t arc, const ModifiedSide::Row& row) {
     const Point exact = [&](double x) { return point(arc, x, row); };
     while (true) {
@@ -94,7 +94,7 @@ struct Layer {
   ToothLevel low, high;
 };
 
-// True if the basis along v meets the targets on all edges and on lines between the edges.
+// True if the basis along v meets the targets on all edges, and on lines between the edges.
 bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& layer) {
   std::vector<std::pair<double, ModifiedSide::Row>> rows;
   const auto row_at = [&](double v) -> const ModifiedSide::Row& {
@@ -119,7 +119,7 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
 }
 
 // Tries bases with an increasing number of poles and returns the first one that meets the targets
-// on both sides. If no basis meets the targets, the result has kMaxPoles poles.
+// on both sides. If there is no such basis, the result has kMaxPoles poles.
 BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& layer) {
   const auto both = [&](const BSplineBasis& basis) {
     return serves(basis, fitters[0], layer) && serves(basis, fitters[1], layer);
@@ -132,7 +132,7 @@ BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& 
 
 // Computes the poles of a face. `begin` contains the samples of the previous face on the common
 // edge at the start of the arc. `below` contains the samples of the face below on the common edge
-// at the lower level. These samples replace the face's own samples, so that common edges are
+// at the lower level. These samples replace the samples of this face, so that common edges are
 // exactly equal. `end` and `above` receive the samples on the other two edges, for the next faces.
 ModifiedFace fit_face(const SideFitter& fitter, std::size_t arc,
                       const std::vector<ModifiedSide::Row>& rows, const BSplineBasis& along_v,

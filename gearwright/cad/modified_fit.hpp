@@ -6,9 +6,9 @@
 //
 // All arcs of a layer share one basis along v, and all layers of an arc share one basis along u.
 // Neighbouring faces therefore share the poles of their common edge. The bases are refined until
-// the splines along the edges, and along lines between the edges, meet the targets. Then S is
+// the splines meet the targets along the edges, and along lines between the edges. Then S is
 // compared with X at 8 × 8 points between neighbouring knots. The stated deviation is |S − X|,
-// which is not less than the normal distance.
+// which is at least the normal distance.
 #pragma once
 
 #include <array>
@@ -35,9 +35,10 @@ struct ModifiedFit {
   std::array<std::vector<std::vector<ModifiedFace>>, 2> faces;
 };
 
-/// The levels from bottom to top: the planes that cut the teeth into slices, and the heights at
-/// which end reliefs begin. `slices` is the number of slices that the teeth as cut need. If a
-/// plane between slices would be too near to the start of a relief, a few more slices are used.
+/// Returns the levels from bottom to top. These are the planes that cut the teeth into slices, and
+/// the heights at which end reliefs begin. `slices` is the number of slices that the teeth as cut
+/// need. If a plane between slices is too near to the start of a relief, a few more slices are
+/// used.
 std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
 
 /// Fits the teeth between these levels.
@@ -45,7 +46,7 @@ std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, dou
 /// Errors    a face that no spline approximates within kSectionMax_mm
 Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels);
 
-/// The mirror image of a fit in the plane z = 0.
+/// Returns the mirror image of a fit in the plane z = 0.
 ModifiedFit in_mirror(ModifiedFit fit);
 
 }  // namespace gearwright

@@ -10,13 +10,13 @@ namespace gearwright {
 
 namespace {
 
-// Permitted error of the removed material c within a facet, relative to the greatest c. With this
-// value, a crowning is represented by at least three steps.
+// Permitted error of the removed material c within a facet, relative to the greatest c. A crowning
+// then has at least three steps.
 constexpr double kVisibleShare = 0.1;
 // Steps of the finite differences that give the normals: in u, and in z relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
-// A segment is halved at most this many times. The number of levels between two starts of reliefs
-// is doubled at most this many times, too.
+// Greatest number of halvings of a segment. It is also the greatest number of doublings of the
+// levels between two starts of reliefs.
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // number of heights, and of points on an arc, at which c is examined
 
@@ -83,8 +83,8 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // The greatest error in the middle of a segment when c (on a fillet: the shift) is interpolated
-  // linearly. This does not include the error made by replacing the outline as cut with chords.
+  // Returns the greatest error in the middle of a segment if c (on a fillet, the shift) is
+  // interpolated linearly. The error due to the chords of the outline as cut is not included.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;
@@ -116,7 +116,7 @@ class GridMaker {
     divide({s.arc, middle, s.u_1}, depth - 1, all);
   }
 
-  // True if n steps between lo and hi represent c with sufficient accuracy on every segment.
+  // True if n steps between lo and hi represent c accurately enough on every segment.
   bool fine(const std::vector<SectionPoint>& half, double lo, double hi, int n) const {
     for (int k = 0; k < n; ++k) {
       const double z_0 = lo + (hi - lo) * k / n, z_1 = lo + (hi - lo) * (k + 1) / n;
@@ -145,12 +145,14 @@ class GridMaker {
   std::vector<ProbedRow> rows_;  // rows in which segments are examined
 };
 
-// The row at a level, and the rows just below and above it, from which the normals are computed.
+// The row at a level, and the rows just below and just above. The normals are computed from these
+// rows.
 struct Rows {
   ModifiedSide::Row here, below, above;
 };
 
-// The outward normal at u on an arc, from finite differences towards the inside of the arc.
+// Returns the outward normal at u on an arc. The finite differences are taken towards the inside of
+// the arc.
 Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& rows,
                const Vec2& cut_normal) {
   const double h = u > 0.5 ? -kStepU : kStepU;
@@ -167,7 +169,7 @@ struct HalfPoint {
   Vec3 root, tip;  // unit normals towards the root and towards the tip; they differ at a crease
 };
 
-// The half section of a side at a level, in the frame of the side.
+// Returns the half section of a side at a level, in the frame of the side.
 std::vector<HalfPoint> half_ring(const ModifiedSide& side, const ModifiedGrid& grid, double z) {
   const double h = kStepZ * (grid.levels.back() - grid.levels.front());
   const Rows rows{side.plane(z), side.plane(z - h), side.plane(z + h)};
@@ -211,8 +213,8 @@ std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid&
   for (const double z : grid.levels) {
     const std::vector<HalfPoint> right = half_ring(teeth.side(false), grid, z);
     const std::vector<HalfPoint> left = half_ring(teeth.side(true), grid, z);
-    // The modifications do not move the points on the centre lines of space and tooth. These points
-    // lie on lands or at the ends of fades.
+    // The modifications do not move the points on the centre lines of space and tooth, because
+    // these points lie on lands or at the ends of fades.
     const SinCos screw = sincos_of(teeth.side(true).twist() * z);
     Ring ring{z, {}};
     ring.points.push_back({turned(mirrored(root.point), screw),

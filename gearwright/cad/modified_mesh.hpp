@@ -2,11 +2,11 @@
 //
 //   ε    chord tolerance of the mesh, mm        c   material removed from the flank, mm
 //
-// The first grid represents the teeth as cut, with the fraction kCutShare of ε. A line of vertices
-// is added where each relief begins. Segments and steps along the face are then halved until the
-// error of c in the middle of each facet is small enough. This error is the difference between c
-// and the mean of c at the corners. The error must be less than the rest of ε and less than a tenth
-// of the greatest c.
+// The first grid represents the teeth as cut and uses the fraction kCutShare of ε. A line of
+// vertices is added at each start of a relief. Then segments and steps along the face are halved
+// until the error of c in the middle of each facet is small enough. This error is the difference
+// between c and the mean of c at the corners. It must be less than the rest of ε, and less than a
+// tenth of the greatest c.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// The fraction of the chord tolerance that the teeth as cut may use. The rest is available for c.
+/// The fraction of the chord tolerance for the teeth as cut. The rest is available for c.
 inline constexpr double kCutShare = 0.8;
 
 struct ModifiedGrid {
@@ -26,25 +26,28 @@ struct ModifiedGrid {
   std::vector<double> levels;      ///< mm, in ascending order
 };
 
-/// Makes the grid from the section as cut and from the step along the face that the twist requires.
+/// Makes the grid from the section as cut, and from the step along the face that the twist
+/// requires.
 ///
 /// Units     mm
 ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint> half, double width,
                            double step, double tolerance);
 
-/// The rings of one pitch, counter-clockwise from the middle of a tooth space.
+/// Returns the rings of one pitch, counter-clockwise from the middle of a tooth space.
 std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid& grid, int copies);
 
 void crease_at_reliefs(const ModifiedTeeth& teeth, const ModifiedGrid& grid, WallEdges& edges);
 
-/// The half section of one side at the height z, from root to tip, turned back by the twist.
+/// Returns the half section of one side at the height z, from root to tip, turned back by the
+/// twist.
 std::vector<Vec2> modified_half(const ModifiedSide& side, const ModifiedGrid& grid, double z);
 
 // The closed triangle mesh of a rack.
 //
 // Every strip of the plan view (cad/rack_plan.hpp) is a plane quadrilateral. A fillet is divided
-// into strips that deviate from its cylinder by no more than the tolerance. The back has one vertex
-// below each vertex on the border of the teeth. The ends and sides of the bar join these vertices.
+// into strips that deviate from the cylinder by at most the tolerance. The back has one vertex
+// below each vertex on the border of the teeth. The ends and sides of the bar connect these
+// vertices.
 
 /// Works like tessellate() (cad/mesh.hpp), for a body that is a rack.
 ///

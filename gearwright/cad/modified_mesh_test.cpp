@@ -156,9 +156,9 @@ double removed_from_flanks(const ModifiedGear& g) {
   return std::abs(g.gear.spec.teeth) * sum * cell / (r_b * std::cos(ref.base_helix_angle));
 }
 
-// A tip relief does not change the fillet, so only the flanks contribute. At the tip, the modified
-// flank extends beyond the edge as cut by c sin α before it meets the tip cylinder. The integral
-// does not include this part, which is 0.6 % here.
+// A tip relief does not change the fillet, so only the flanks contribute. The modified flank does
+// not end at the unmodified tip edge. It continues by c sin α before it meets the tip cylinder. The
+// integral does not include this part, which is 0.6 % here.
 TEST(ModifiedMesh, removes_the_integral_of_the_modification) {
   for (Gear gear : {external(17, 0.0), external(21, 20.0), external(17, -15.0)}) {
     const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();

@@ -14,14 +14,14 @@ namespace gearwright {
 
 namespace {
 
-// Two arcs of a flank form one surface if their tangents at the joint differ by at most this angle,
-// rad.
+// If the tangents of two arcs of a flank differ by at most this angle at the joint, rad, the arcs
+// form one surface.
 constexpr double kSmooth = 1e-6;
-// Least length of a part of a divided arc, mm. A start of a relief that would give a shorter part
+// Least length of a part of a divided arc, mm. If a start of a relief would give a shorter part, it
 // does not divide the arc. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
-// Step of the finite difference that gives the slope of the curvature at the end of an arc, as
-// a fraction of the arc's parameter.
+// Step of a finite difference, as a fraction of the arc's parameter. The difference gives the slope
+// of the curvature at the end of an arc.
 constexpr double kCurvatureStep = 1e-3;
 // Numbers of heights, and of points per arc, at which the teeth are examined.
 constexpr int kExaminedRows = 33;
@@ -50,7 +50,7 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   return std::nullopt;
 }
 
-// The radii at which reliefs begin, in ascending order.
+// Returns the radii at which reliefs begin, in ascending order.
 std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>, 2>& fields) {
   std::vector<double> rho;
   for (const auto& field : fields)
@@ -59,7 +59,7 @@ std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>,
   return rho;
 }
 
-// Appends the arc, divided at each of the given radii that it contains.
+// Appends the arc. If it contains given radii, it is divided there.
 void append_divided(const Arc& arc, std::vector<double> rho, std::vector<Arc>& arcs) {
   const double begin = arc.begin_point.norm(), end = arc.end_point.norm();
   if (end < begin) std::reverse(rho.begin(), rho.end());
@@ -98,8 +98,8 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
 }
 
 // The moved flank must still reach the tip cylinder, so the arc is continued beyond its end. The
-// continuation has the curvature of the end and the slope of this curvature. The error of the
-// continuation grows with the fourth power of the distance from the end.
+// continuation has the curvature at the end and the slope of this curvature. Its error grows with
+// the fourth power of the distance from the end.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
   const auto place = [&](const Vec2& p, double angle) {
@@ -118,7 +118,7 @@ ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
 
 double ModifiedSide::zeta_at(const ToothLevel& level, const Place& at) const {
   if (level.kink || twist_ == 0.0) return level.z;
-  // Each step of the iteration ζ = z + c n_z multiplies the error by the slope of c, which is at
+  // The iteration is ζ = z + c n_z. Each step multiplies the error by the slope of c, which is at
   // most 1 in 5.
   double zeta = level.z;
   for (int i = 0; i < 40; ++i) {
@@ -143,7 +143,7 @@ Vec3 ModifiedSide::flank(std::size_t arc, double u, const Row& row) const {
   return {xy.x(), xy.y(), zeta - c * at.n.z()};
 }
 
-// Solves |M| = r_a by the secant method, starting at the nominal edge.
+// Solves |M| = r_a by the secant method. The iteration starts at the nominal edge.
 double ModifiedSide::edge_of(const Row& row) const {
   const double radius = outline_->arcs[last_].end_point.norm();
   const auto beyond = [&](double u) { return flank(last_, u, row).head<2>().norm() - radius; };
@@ -175,7 +175,7 @@ ModifiedSide::Row ModifiedSide::row(const ToothLevel& low, const ToothLevel& hig
 double ModifiedSide::weight(std::size_t arc, double rho) const {
   const bool tip = arc > last_;
   const auto& arcs = outline_->arcs;
-  std::size_t end = arc;  // the last arc of the fade, which meets a land or the centre line
+  std::size_t end = arc;  // the last arc of the fade; it meets a land or the centre line
   if (tip) {
     while (end + 1 < arcs.size() && role(end + 1) == Role::fade) ++end;
   } else {
@@ -205,7 +205,7 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
   Vec2 p = a.point(u);
   double z = row.z;
   if (arc == last_ + 1 && has_edge_) {
-    // The tip land, from the edge of the flank to the centre line of the tooth.
+    // The tip land runs from the edge of the flank to the centre line of the tooth.
     const Vec2 edge = outline_->arcs[last_].end_point + row.shift[1];
     const double angle = std::atan2(edge.y(), edge.x()) * (1 - u);
     p = a.begin_point.norm() * Vec2(std::cos(angle), std::sin(angle));
@@ -273,7 +273,8 @@ double ModifiedTeeth::removed_volume(double face_width) const {
     const ModifiedSide& s = side(left);
     for (int i = 0; i <= kRows; ++i) {
       const ModifiedSide::Row row = s.plane(face_width * (static_cast<double>(i) / kRows - 0.5));
-      // Twice the area between the outline as cut and the modified outline, both taken as polygons.
+      // Twice the area between the outline as cut and the modified outline, with both outlines as
+      // polygons.
       double area = 0.0;
       Vec2 cut_before, moved_before;
       bool begun = false;

@@ -30,8 +30,8 @@
 
 namespace gearwright {
 
-/// A level of the body: the plane at the height z. If `kink` is true, the level is the line into
-/// which the modification moves the line of the nominal flank at z.
+/// A level of the body. If `kink` is false, it is the plane at the height z. If `kink` is true, it
+/// is the line of the nominal flank at the height z after the modification has moved this line.
 struct ToothLevel {
   double z;
   bool kink = false;
@@ -51,7 +51,8 @@ class ModifiedSide {
     double v;                   ///< 0 at the lower level, 1 at the upper one
     double z;                   ///< mm, height of the row on the lands
     double edge;                ///< u of the last flank arc at the tip cylinder; 1 without an edge
-    std::array<Vec2, 2> shift;  ///< mm, of both ends of the flank, turned back by the twist
+    std::array<Vec2, 2> shift;  ///< mm, displacements of both ends of the flank, turned back by the
+                                ///< twist
     std::array<double, 2> end_z;  ///< mm, heights of these ends
   };
 
@@ -61,7 +62,7 @@ class ModifiedSide {
   Row row(const ToothLevel& low, const ToothLevel& high, double v) const;
   Row plane(double z) const { return row({z}, {z}, 0.0); }
 
-  /// The point at the parameter u in [0, 1] of an arc, mm, in the frame of the side.
+  /// Returns the point at the parameter u in [0, 1] of an arc, mm, in the frame of the side.
   Vec3 point(std::size_t arc, double u, const Row& row) const;
 
   Role role(std::size_t arc) const { return roles_[arc]; }
@@ -95,23 +96,24 @@ class ModifiedSide {
 };
 
 /// Both sides of the teeth of a body. For a double-helical gear, the teeth are those of the half at
-/// z > 0, in a frame in the middle of this half. The other half is the mirror image of this half.
+/// z > 0, and the origin of their frame is in the middle of this half. The other half is the mirror
+/// image.
 class ModifiedTeeth {
  public:
-  /// Makes the teeth of a body from the removal fields of their right and left flanks.
+  /// Makes the teeth of a body from the fields of removed material of their right and left flanks.
   ///
   /// Errors    `modifications`, with the reason why these teeth cannot be made: pointed teeth,
   ///           flanks in pieces, no root fillet, flanks that would cross
   static Result<ModifiedTeeth> of(
       const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal);
 
-  /// The outline as cut, with the flank divided where a relief of either side begins.
+  /// Returns the outline as cut. Its flank is divided at each start of a relief of either side.
   const Outline& outline() const { return right_.outline(); }
   const ModifiedSide& side(bool left) const { return left ? left_ : right_; }
-  /// Heights at which an end relief of either side begins, mm, in ascending order.
+  /// Returns the heights at which an end relief of either side begins, mm, in ascending order.
   std::vector<double> kinks_z() const;
 
-  /// Volume removed from all teeth over the face width of the frame, mm³.
+  /// Returns the volume removed from all teeth over the face width of the frame, mm³.
   ///
   /// Accuracy  1e-6 of the volume of the body; the polygons that replace the outlines change the
   ///           removed volume by 5e-5 of its value

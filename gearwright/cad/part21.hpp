@@ -7,8 +7,8 @@
 // instances to which it refers. Internal to cad/.
 //
 //   Laws  (1) a real has the fewest digits that a reader converts back to the same double
-//         (2) text can be read back unchanged, because characters other than printable ASCII are
-//             escaped by the rules of the standard
+//         (2) text can be read back unchanged, because all characters except printable ASCII are
+//             escaped according to the standard
 #pragma once
 
 #include <cstdint>
@@ -23,23 +23,23 @@ namespace gearwright {
 /// Number of an instance. 0 means none.
 using Part21Id = std::uint32_t;
 
-/// Appends a real in the form of the standard: always with a decimal point, and with a capital E
-/// before the exponent. −0 is written as 0.   Domain    finite (contract)
+/// Appends a real in the form of the standard. It always has a decimal point, and the exponent has
+/// a capital E. −0 is written as 0.   Domain    finite (contract)
 void append_real(std::string& text, double value);
 
 /// Returns a string in apostrophes. The characters ' and \ are doubled. All characters outside
 /// ASCII 32 to 126 are written as \X2\03B1\X0\ (code points of 16 bits) or \X4\0001F600\X0\ (other
 /// code points).
 ///
-/// Domain    any bytes; each byte that is not UTF-8 becomes U+FFFD
+/// Domain    any bytes; each byte that is not valid UTF-8 becomes U+FFFD
 std::string part21_string(std::string_view utf8);
 
-/// A file: its header, then the instances of its data section, one per line.
+/// A file. It consists of a header and of the instances of its data section, one per line.
 class Part21 {
  public:
   explicit Part21(std::string_view header);
 
-  /// Writes `#n=` … `;` around an entity and its arguments.
+  /// Writes `#n=` … `;` around an entity and its arguments, and returns n.
   Part21Id add(std::string_view entity);
 
   Part21Id point(const Vec3& p);

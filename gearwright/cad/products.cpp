@@ -15,8 +15,8 @@ namespace {
 
 using Id = Part21Id;
 
-// Converts to sRGB, the colour space of STEP colours. Three decimals are finer than the 256 levels
-// of a display.
+// Converts a linear value to sRGB, the colour space of STEP. Three decimals are finer than the 256
+// levels of a display.
 double srgb(double linear) {
   const double value =
       linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
@@ -80,8 +80,8 @@ class ProductWriter {
     return out_.placement(origin, z, out_.direction(pose.axis(0)));
   }
 
-  // Every representation has its own context, because a relationship with a transformation can only
-  // connect representations with different contexts.
+  // Every representation has its own context. A relationship with a transformation can connect only
+  // representations with different contexts.
   Id representation_context(const std::string& name) {
     return add(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{}))"

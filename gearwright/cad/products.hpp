@@ -1,10 +1,10 @@
-// Writes the products of a STEP file, which are the tree that a CAD system displays, and the
-// position of each solid. Internal to cad/.
+// Writes the products of a STEP file and the position of each solid. The products are the tree that
+// a CAD system displays. Internal to cad/.
 //
 // A single solid in its own frame is one product, a part. In all other cases, the file describes an
-// assembly whose components are the parts, each at its pose. As the application protocols require,
-// both the product structure and the geometry contain the pose (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
-// ITEM_DEFINED_TRANSFORMATION). Lengths are in mm and angles in rad.
+// assembly whose components are the parts, each at its pose. Both the product structure and the
+// geometry contain the pose (NEXT_ASSEMBLY_USAGE_OCCURRENCE, ITEM_DEFINED_TRANSFORMATION), as the
+// application protocols require. Lengths are in mm and angles in rad.
 #pragma once
 
 #include <optional>

@@ -47,7 +47,7 @@ class RackShell {
     RackLoop low, high;  // along the border, from the first line of constant s to the last
     std::optional<RackUse> first_line, line;
     if (spur) first_line = line = straight(before.low, before.high);
-    // Number of border pieces in `low` and in `high` before the corner of the bar.
+    // Number of pieces of the border in `low` and in `high` before the corner of the bar.
     std::size_t low_cut = 0, high_cut = 0;
     std::optional<RackNode> low_corner, high_corner;
     for (const RackStrip& strip : plan_.strips()) {
@@ -118,7 +118,7 @@ class RackShell {
   double rho() const { return body_.rack->fillet_radius; }
   double stretch() const { return std::hypot(1.0, q_); }
 
-  // The axis of a fillet's cylinder in the section z = 0, (x, s).
+  // Returns the axis of the cylinder of a fillet in the section z = 0, (x, s).
   Vec2 axis_of(const RackStrip& strip) const {
     const Vec2& root = strip.arc->begin_point;
     return {root.x() + rho(), strip.middle + (strip.lower ? -root.y() : root.y())};
@@ -141,8 +141,8 @@ class RackShell {
     return {at, point, out_.add(fmt::format("VERTEX_POINT('',#{})", point))};
   }
 
-  // The height at a line of constant s follows from the strip that ends at this line. At the
-  // first line, it follows from the first strip.
+  // The strip that ends at a line of constant s determines the height at this line. At the first
+  // line, the first strip determines the height.
   Station station(double s) {
     const auto& strips = plan_.strips();
     const auto strip = std::find_if(strips.begin(), strips.end() - 1,
@@ -167,13 +167,13 @@ class RackShell {
     return edge(from, to, out_.add(fmt::format("LINE('',#{},#{})", from.point, vector)));
   }
 
-  // The part of a strip's border between two points on the same side of the bar.
+  // Returns the part of a strip's border between two points on the same side of the bar.
   RackUse border(const RackStrip& strip, const RackNode& from, const RackNode& to) {
     if (strip.name != ArcName::root_fillet) return straight(from, to);
     const Vec2 c = axis_of(strip);
     const bool on_side = from.at.z() == to.at.z();
-    // The plane z = const or y = const cuts the cylinder in an ellipse. One axis of the ellipse is
-    // parallel to x.
+    // The plane z = const or y = const intersects the cylinder in an ellipse. One axis of the
+    // ellipse is parallel to x.
     const double across = on_side ? stretch() * rho() : stretch() * rho() / std::abs(q_);
     const Vec3 center = on_side ? Vec3(c.x(), c.y() + q_ * from.at.z(), from.at.z())
                                 : Vec3(c.x(), from.at.y(), (from.at.y() - c.y()) / q_);
@@ -231,7 +231,7 @@ class RackShell {
         out_.add(fmt::format("ADVANCED_FACE('',(#{}),#{},{})", bound, surface, sense)));
   }
 
-  // The foot of an upright edge of the bar: the lower end of the edge, and the edge itself.
+  // An upright edge of the bar, with its lower end.
   struct Foot {
     RackNode at;
     RackUse down;  // runs from the teeth down to the back
@@ -240,8 +240,8 @@ class RackShell {
     const RackNode at = node({-body_.rack->height, top.at.y(), top.at.z()});
     return {at, straight(top, at)};
   }
-  // Adds the wall below `top`, which is a part of the border. `top` begins above `a`, ends
-  // above `b` and has the metal on its left. Returns the lower edge of the wall.
+  // Adds the wall below `top`, which is a part of the border. `top` begins above `a`, ends above
+  // `b`, and has the metal on its left. Returns the lower edge of the wall.
   RackUse add_wall(const RackLoop& top, const Foot& a, const Foot& b, const Vec3& normal) {
     const RackUse floor = straight(a.at, b.at);
     RackLoop loop = reversed(top);
@@ -265,7 +265,7 @@ class RackShell {
   }
 
   // Adds the walls below the border of the teeth, and the back. The border runs along the low chain
-  // and returns along the high chain. Seen from above the teeth, this is counter-clockwise.
+  // and returns along the high chain, which is counter-clockwise seen from above the teeth.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);

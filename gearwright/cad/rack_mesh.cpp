@@ -16,8 +16,8 @@ namespace {
 constexpr double kMostVertices = 2e6;  // vertices of a mesh, as in cad/mesh.cpp
 constexpr double kSameStation_mm = 1e-6;
 
-// A line of constant s, with the height x of the teeth on this line. The vertices at both ends of
-// the line are stored for the teeth and for the back.
+// A line of constant s, with the height x of the teeth on this line. Both ends of the line have a
+// vertex of the teeth and a vertex of the back.
 struct Station {
   double s, x;
   std::uint32_t low, high, back_low, back_high;  // vertex numbers
@@ -88,8 +88,8 @@ class RackMesher {
     return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
   }
 
-  // Returns the height on the circle of the fillet at the distance y from the centre line of
-  // its tooth, and the slope dx/dy there.
+  // Returns the height on the circle of the fillet, and the slope dx/dy there. y is the distance
+  // from the centre line of the tooth.
   std::pair<double, double> circle(const RackStrip& strip, double y) const {
     const double rho = body_.rack->fillet_radius;
     const double n = std::clamp((y - strip.arc->begin_point.y()) * cosine_, -rho, rho);
@@ -143,7 +143,7 @@ class RackMesher {
     return made;
   }
 
-  // Adds a wall below the border. The outward normal of the wall is ±z on a side and ±y on an end
+  // Adds a wall below the border. Its outward normal is ±z on a side of the bar, and ±y on an end
   // of the bar.
   void border(std::uint32_t a, std::uint32_t b, std::uint32_t back_b, std::uint32_t back_a) {
     const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b];
@@ -157,8 +157,8 @@ class RackMesher {
     face({b, a, back_a, back_b}, {out, out, out, out});
   }
 
-  // Adds a quadrilateral that is counter-clockwise seen from outside. If two corners coincide, a
-  // triangle is added.
+  // Adds a quadrilateral that is counter-clockwise seen from outside. If two corners coincide, the
+  // function adds a triangle.
   void face(const std::array<std::uint32_t, 4>& corners, const std::array<Vec3, 4>& normals) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < 4; ++i)

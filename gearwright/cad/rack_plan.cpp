@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kNarrow_mm = 1e-6;  // mm, a hundredth of the resolution of manufacturing machines
 
-// All strips of the teeth k_0 … k_1 of an infinite rack. The teeth are numbered like the teeth of
-// the bar.
+// Returns all strips of the teeth k_0 … k_1 of an infinite rack. The teeth have the same numbers as
+// the teeth of the bar.
 std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   const std::vector<Arc>& arcs = body.outline.arcs;
   const double pitch = body.rack->pitch;
@@ -29,8 +29,8 @@ std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   for (int k = k_0; k <= k_1; ++k) {
     const double middle = body.rack->middle_of(k, body.outline.teeth);
     for (const Arc& arc : arcs) {
-      // For both teeth next to a space, the s of the middle of the space is computed by the same
-      // expression, so the two values are identical.
+      // Both teeth next to a space compute the s of the middle of the space by the same expression,
+      // so both values are identical.
       const double begin =
           &arc == &arcs.front() ? middle - pitch / 2 : middle - arc.begin_point.y();
       add({arc.name, begin, middle - arc.end_point.y(), &arc, middle, true});
@@ -87,9 +87,9 @@ Vec2 RackPlan::at(double s, double z) const {
 }
 
 // Returns the low or the high end point of a line of constant s. (y, z) is the corner that this
-// point passes, and `corner` is the s of the corner. The point lies on the end face y if s is
-// below `corner` and y < 0, or above `corner` and y > 0. Otherwise, and always for a spur rack, the
-// point lies on the side z. Corners are exact.
+// point passes when s changes, and `corner` is the s of the corner. The point lies on the end face
+// y if s is below `corner` and y < 0, or if s is above `corner` and y > 0. In all other cases, and
+// always for a spur rack, the point lies on the side z. Corners are exact.
 Vec2 RackPlan::end_of_line(double s, double z, double corner, double y) const {
   if (slope_ == 0.0) return at(s, z);
   const double top = std::copysign(width_ / 2, slope_);

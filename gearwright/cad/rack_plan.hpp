@@ -1,4 +1,4 @@
-// Computes the plan view of the bar of a rack, which is a rectangle that the lines of the teeth
+// Computes the plan view of the bar of a rack. The plan is a rectangle that the lines of the teeth
 // cross. Internal to cad/.
 //
 //   y, z    coordinates along the travel and along the face, mm; −l/2 ≤ y ≤ l/2, −b/2 ≤ z ≤ b/2
@@ -7,9 +7,9 @@
 //
 // The surface of the teeth is x = h(s). Each face of this surface is therefore a strip, bounded by
 // two lines of constant s and by the border of the rectangle. When s increases, a line of constant
-// s moves over the rectangle from one corner to the opposite one (for a spur rack, from one end to
-// the other). The two ends of the line run along the border, one on the low side and one on the
-// high side of z. Each end of the line passes one corner.
+// s moves over the rectangle from one corner to the opposite corner. For a spur rack, it moves from
+// one end to the other. The two ends of the line run along the border, one on the low side and one
+// on the high side of z. Each end of the line passes one corner.
 #pragma once
 
 #include <array>
@@ -38,12 +38,12 @@ class RackPlan {
   double slope() const { return slope_; }    ///< q
   double first() const { return corners_[0]; }
   double last() const { return corners_[3]; }
-  /// Each end point of the line passes a corner. These are the values of s at the corner of the low
-  /// end point and at the corner of the high end point. For a spur rack, both equal first().
+  /// Return the values of s at which the line passes a corner, first with its low end point and
+  /// then with its high end point. For a spur rack, both values equal first().
   double low_corner() const { return low_corner_; }
   double high_corner() const { return high_corner_; }
 
-  /// Returns s, or the value of s at a corner if that corner is within 1e-6 mm.
+  /// Returns the value of s at a corner if this corner is within 1e-6 mm, and otherwise s.
   double snapped(double s) const;
 
   /// Return the low and the high end point of a line of constant s as (y, z) in mm, exactly on
@@ -51,8 +51,8 @@ class RackPlan {
   Vec2 low(double s) const;
   Vec2 high(double s) const;
 
-  /// Strips in ascending order of s, from first() to last(). Neighbouring strips share their limits
-  /// exactly. A strip narrower than 1e-6 mm is merged into a neighbour.
+  /// Returns the strips in ascending order of s, from first() to last(). Neighbouring strips share
+  /// their limits exactly. A strip narrower than 1e-6 mm is merged into a neighbour.
   const std::vector<RackStrip>& strips() const { return strips_; }
 
  private:

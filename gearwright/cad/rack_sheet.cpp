@@ -21,7 +21,7 @@ namespace {
 // x) in the end view to the right of the section.
 class RackViews : public SheetViews {
  public:
-  // `outline` contains all teeth, or those at one end for an interrupted view.
+  // `outline` contains all teeth or, for an interrupted view, the teeth at one end.
   RackViews(const RackSheetInput& input, const BiarcContour& outline, double scale)
       : input_(input), outline_(outline), k_(scale) {
     const RackGeometry& rack = input.rack;
@@ -77,9 +77,9 @@ class RackViews : public SheetViews {
     return texture_left() + texture_right(words);
   }
 
-  // The plan lies below the dimension of the length. The texture symbol of the faces, if there is
-  // one, is between this dimension and the plan. If the symbol extends to the right below the end
-  // view, the plan also lies below the dimensions of the end view.
+  // The plan lies below the dimension of the length. If the faces have a texture symbol, it is
+  // between this dimension and the plan. If the symbol extends to the right below the end view, the
+  // plan also lies below the dimensions of the end view.
   void place_plan() {
     top_ = back_ - kFirst - kPast - 2 * kClear;
     if (!input_.surfaces.face_texture) return;
@@ -95,14 +95,14 @@ class RackViews : public SheetViews {
     return face_texture_foot() + texture_right(*input_.surfaces.face_texture);
   }
 
-  // The point where the datum line crosses the flank of the first tooth, on the side of the tooth
-  // that faces the middle of the rack.
+  // Returns the point at which the datum line crosses a flank of the first tooth. This is the flank
+  // on the side of the middle of the rack.
   Vec2 flank() const {
     const RackGeometry& rack = input_.rack;
     const double thickness = rack.thickness / std::cos(rack.helix_angle.rad());
     return {-right_ + k_ * (rack.transverse_pitch + thickness) / 2, 0.0};
   }
-  // The base line of the caption.
+  // Returns the height of the base line of the caption.
   double caption() const {
     return input_.surfaces.flank_texture ? shelf_ + kTextureHeight + kClear : tip_ + kClear;
   }
@@ -117,7 +117,7 @@ class RackViews : public SheetViews {
             back_ - kFirst,
             computed_length_text(input_.units, length)};
   }
-  // A height from the back. A given height is not rounded to µm.
+  // Returns a height from the back as text. If the user gives the height, it is not rounded to µm.
   std::string height_text(double mm) const {
     return input_.rack.bar.height ? length_text(input_.units, mm)
                                   : computed_length_text(input_.units, mm);
@@ -161,7 +161,7 @@ class RackViews : public SheetViews {
     draw_dimension(*sheet_, d);
   }
 
-  // Two straight lines with a zigzag in the middle.
+  // Draws two straight lines with a zigzag in the middle.
   void break_lines(double lo, double hi) {
     const double m = (lo + hi) / 2, z = std::min(kZigzag, (hi - lo) / 8);
     for (const double x : {-kBreak / 2, kBreak / 2})
@@ -170,9 +170,9 @@ class RackViews : public SheetViews {
            std::vector<double>(5, 0.0), false);
   }
 
-  // The outline around the middle x. Its last three points are the corner of the roots at the end
-  // y > 0 and the two corners of the back. If the outline is open at one end, its line starts and
-  // finishes at that end.
+  // Draws the outline around the middle x. Its last three points are the corner of the roots at the
+  // end y > 0 and the two corners of the back. If the outline is open at one end, its line starts
+  // and ends at that end.
   enum class Open { none, right, left };
   void profile(double x, Open open) {
     const std::size_t n = outline_.points.size(), first = open == Open::left ? n - 2 : 0;
@@ -221,7 +221,7 @@ class RackViews : public SheetViews {
   }
 
   // Draws a line in the direction of the teeth. Its points are (x_0 + s tan β, s), relative to the
-  // middle height of the plan. The line ends at the border of the plan, `left` or `right`.
+  // middle height of the plan. The line ends at the borders of the plan, `left` and `right`.
   void tooth_direction(double x_0, double left, double right) {
     const double slope = std::tan(input_.rack.helix_angle.rad()), middle = top_ - face_ / 2;
     const double a = (left - x_0) / slope, b = (right - x_0) / slope;

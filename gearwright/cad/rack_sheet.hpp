@@ -1,10 +1,10 @@
-// The workshop drawing of a rack: the table of its data, the exact section, the view of an end and
-// the plan, in first-angle projection.
+// Makes the workshop drawing of a rack. It contains the table of the data, the exact section, the
+// view of an end and the plan, in first-angle projection.
 //
-// The datum is the back of the rack. In the end view and in the plan, teeth are not drawn: the
+// The datum is the back of the rack. The end view and the plan do not show teeth. Instead, the
 // roots are a thin line, the datum line is a chain line, and three thin lines in the plan show the
 // direction of helical teeth (ISO 2203). If a rack has more teeth than `kTeethInFull`, break lines
-// (ISO 128) interrupt its views, which then show only the teeth at both ends.
+// (ISO 128) interrupt its views. The views then show only the teeth at both ends.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ struct RackSheetInput {
   UnitSystem units = UnitSystem::mm;  ///< unit of the dimensions; inches have four decimals
 };
 
-/// `tolerance_mm` is the tolerance of the outline, in mm on the rack.
+/// Makes the drawing of a rack. `tolerance_mm` is the tolerance of the outline, in mm on the rack.
 ///
 /// Errors    the errors of rack_body(); `tolerance_mm` if an arc cannot be fitted within it
 Result<GearSheet> rack_sheet(const RackSheetInput& input, SheetSize size, double tolerance_mm);

@@ -23,14 +23,14 @@ inline Vec3 turned_about_axis(const Vec3& v, const SinCos& a) {
   return {plane.x(), plane.y(), v.z()};
 }
 
-/// The outward normal of an outline, computed from the angle of its tangent. `side` is σ of
-/// generation/outline.hpp: arcs run from root to tip, clockwise about the tooth.
+/// Returns the outward normal of an outline, computed from the angle of its tangent. `side` is σ of
+/// generation/outline.hpp. Arcs run from root to tip, clockwise about the tooth.
 inline Vec2 section_normal(double side, double tangent_angle) {
   return side * Vec2(-std::sin(tangent_angle), std::cos(tangent_angle));
 }
 
-/// The unit normal of the screw surface, which is perpendicular to the tangent of the section and
-/// to the tangent of the screw motion (τJP, 1), where J turns a vector by 90°.
+/// Returns the unit normal of the screw surface. It is perpendicular to the tangent of the section
+/// and to the tangent of the screw motion (τJP, 1), where J turns a vector by 90°.
 inline Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
   return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
 }

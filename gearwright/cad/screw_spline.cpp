@@ -14,8 +14,8 @@ namespace {
 constexpr int kDegree = 5;
 constexpr int kChecksPerSpan = 24;
 constexpr double kShortestSpan = 1e-9;
-// The slowest permitted speed along the curve with respect to its own parameter, relative to
-// the mean speed.
+// Least permitted speed along the curve with respect to the curve's own parameter, relative to the
+// mean speed.
 constexpr double kSlowest = 0.01;
 
 using ParameterAt = std::function<double(double)>;  // maps u in [0, 1] to the curve's parameter
@@ -43,9 +43,9 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
 }
 
 // Returns the normal distance from q to the curve near the parameter t. The result is the distance
-// from q to the tangent at t, minus the sagitta κ s²/2 of the osculating circle, where s is the
-// offset of q along the tangent. The error is of third order in s. If |κ s| ≥ 0.01, the function
-// returns the distance from q to the point at t, which is larger than the normal distance.
+// from q to the tangent at t, minus the sagitta κ s²/2 of the osculating circle. s is the offset of
+// q along the tangent, and the error is of third order in s. If |κ s| ≥ 0.01, the function returns
+// the distance from q to the point at t instead, which is larger than the normal distance.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
   const Vec2 d = Vec2(q.real(), q.imag()) - w.point;
@@ -81,8 +81,8 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// First tries uniform knots, from the fewest poles to 40. If the target is not reached,
-// continues with 16 uniform spans and repeatedly halves the spans that miss the target.
+// Tries uniform knots first, from the fewest poles to 40. If no such spline reaches the target, the
+// function begins with 16 uniform spans and repeatedly halves the spans that miss the target.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;

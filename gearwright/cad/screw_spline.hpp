@@ -8,10 +8,11 @@
 //   S      the surface: S_xy(u, v) = H(v) C(u), z linear in v; its poles are the products h_j c_i
 //
 // The exact surface is e^{iφ} W, so interpolation on the grid of Greville points gives exactly the
-// product of the two interpolants. The section is fitted only once for all helices, and the
-// distance to the exact surface follows from the errors of two plane curves. With H = e^{iφ}(1 +
-// ε), a point of S becomes C(1 + ε) when it is turned back by φ. The distance from C(1 + ε) to W is
-// at most e + |C||ε|, where e is the normal distance from C to W. The distance in space is even
+// product of the two interpolants. The section is fitted only once for all helices.
+//
+// The distance to the exact surface follows from the errors of two plane curves. With H = e^{iφ}(1
+// + ε), a point of S becomes C(1 + ε) when it is turned back by φ. The distance from C(1 + ε) to W
+// is at most e + |C||ε|, where e is the normal distance from C to W. The distance in space is even
 // smaller, because the surface normal is inclined to the plane of the section.
 #pragma once
 
@@ -27,31 +28,31 @@ namespace gearwright {
 
 using Complex = std::complex<double>;
 
-/// The target and the greatest permitted value of e, mm. The target is 1/50 of 1 µm, the finest
-/// tolerance in the profile measurement of gears. If a surface exceeds the greatest value, an error
-/// is returned.
+/// The target and the greatest permitted value of e, mm. The finest tolerance in the profile
+/// measurement of gears is 1 µm, and the target is 1/50 of it. If a surface exceeds the greatest
+/// value, the result is an error.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
 /// The target of R|ε|, mm, at the greatest radius R. The spline of a helix is the common edge of a
-/// flank and a true cylinder. The target is therefore half of 1e-7 mm, which is the tolerance for
-/// all edges and vertices.
+/// flank and a true cylinder. All edges and vertices have the tolerance 1e-7 mm, and the target is
+/// half of it.
 inline constexpr double kHelixTarget_mm = 5e-8;
 
 struct SectionSpline {
   BSplineBasis basis;
   std::vector<Complex> poles;  ///< c_i  mm; the first and the last pole are the ends of the arc
   double deviation_mm;         ///< e, the greatest distance at 24 points between neighbouring knots
-  bool by_length;  ///< if true, u is the relative arc length; otherwise it is the curve's parameter
+  bool by_length;  ///< if true, u is the relative arc length; if false, u is the curve's parameter
 
   Complex at(double u) const;
 };
 
 /// Fits a spline of degree 5 to the arc, with the fewest poles that reach the target.
 ///
-/// The parameter u follows the curve's own parameter or the arc length, whichever needs fewer
-/// poles. A trochoid needs fewer poles with the arc length, and an involute near its base circle
-/// with the roll angle. The curve's own parameter is used only if its slowest speed exceeds 1/100
-/// of the mean, because a spline has no normal at an end where the speed vanishes.
+/// The parameter u follows the curve's own parameter or the arc length. The one that needs fewer
+/// poles is used. A trochoid needs fewer poles with the arc length, and an involute near its base
+/// circle needs fewer poles with the roll angle. The curve's own parameter is used only if its
+/// slowest speed exceeds 1/100 of the mean. Where the speed is 0, a spline has no normal.
 ///
 /// Units     mm
 /// Domain    the ends of the arc lie within 1e-5 mm of its curve
@@ -63,15 +64,16 @@ SectionSpline fit_section(const Arc& arc, double target_mm = kSectionTarget_mm);
 
 inline constexpr int kMaxPoles = 240;
 
-/// The points (k + ½)/n of each span between two knots, k = 0 … n − 1.
+/// Returns the points (k + ½)/n of each span between two knots, k = 0 … n − 1.
 std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
 
-/// For each span, the greatest error at the points of places_between_knots().
+/// Returns, for each span, the greatest error at the points of places_between_knots().
 std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
                                   const std::function<double(double)>& error);
 
-/// The basis in which every span that misses the target is halved. Absent if all these spans are
-/// already so short that more knots do not help, for example because the curve has a gap.
+/// Returns the basis in which every span that misses the target is halved. Returns none if all
+/// these spans are already so short that more knots do not help. This happens, for example, if the
+/// curve has a gap.
 std::optional<BSplineBasis> refined(const BSplineBasis& basis,
                                     const std::vector<double>& span_deviation, double target);
 

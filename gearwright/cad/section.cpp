@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kNodes = 16;
 constexpr int kMaxPanels = 64;
-// The integral has converged if its relative change is below this value, which exceeds the
-// rounding error of the sum over one panel, about 1e-14.
+// The integral has converged if its relative change is below this value. The rounding error of the
+// sum over one panel is smaller, about 1e-14.
 constexpr double kStandsStill = 1e-13;
 
 struct Rule {
@@ -104,9 +104,9 @@ double bore_area(const Bore& bore) {
 
 double metal_area(const ToothedBody& body) {
   if (body.rack) {
-    // ∫ x dy over the half outline is the area above the datum line. The area below this line
-    // is a rectangle. Parts of teeth that leave the bar at one end enter it at the other, so
-    // every section has the same area.
+    // ∫ x dy over the half outline is the area above the datum line. The area below this line is a
+    // rectangle. If the section of a tooth crosses one end of the bar, the missing part is at the
+    // other end, so every section has the same area.
     static const Rule rule = make_rule();
     double half = 0.0;
     for (const Arc& arc : body.outline.arcs) {

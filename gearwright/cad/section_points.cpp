@@ -12,9 +12,9 @@ namespace gearwright {
 
 namespace {
 
-// Fractions of the chord tolerance ε. The density of the points is computed with 0.90 ε, so most
-// segments pass the check with 0.95 ε and are not split. The five points of the check detect at
-// least 0.97 of the height of a parabola. Points that are closer than 0.02 ε are merged.
+// Fractions of the chord tolerance ε. The density of the points is computed with 0.90 ε. Most
+// segments then pass the check with 0.95 ε and need not be split. The five points of the check
+// detect at least 0.97 of the height of a parabola. Points that are closer than 0.02 ε are merged.
 constexpr double kDensityShare = 0.90;
 constexpr double kCheckShare = 0.95;
 constexpr double kJoinShare = 0.02;
@@ -49,7 +49,7 @@ void split(const Arc& arc, double u_0, double u_1, const SectionTolerance& toler
   }
 }
 
-// Parameters of the points on one arc, from 0 to 1.
+// Returns the parameters of the points on one arc, from 0 to 1.
 std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std::size_t most) {
   const double turn = tolerance.level_turn;
   const double slack = 8.0 * kDensityShare * tolerance.chord - tolerance.radius * turn * turn;
@@ -69,7 +69,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
     before = after;
   }
 
-  // A value that exceeds an integer only by rounding is not rounded up to the next integer.
+  // If a value exceeds an integer only by rounding, it is not rounded up to the next integer.
   const double wanted = std::min(std::ceil(count.back() - 1e-9), static_cast<double>(most) + 1.0);
   const int segments = std::max(1, static_cast<int>(wanted));
   std::vector<double> parameters{0.0};

@@ -35,8 +35,8 @@ struct SheetBox {
   Vec2 lo, hi;  ///< mm
 };
 
-/// The look of a mark of a figure (figure_files.hpp). Marks of a drawing have the look of their
-/// layer instead.
+/// The look of a mark of a figure (figure_files.hpp). The layer of a mark of a drawing determines
+/// its look instead.
 struct SheetInk {
   std::string name;                           ///< name of the layer in a DXF file
   std::optional<std::uint32_t> fill, stroke;  ///< 0xRRGGBB; absent if there is none
@@ -51,7 +51,7 @@ struct SheetPath {
   std::vector<Vec2> points;    ///< mm
   std::vector<double> bulges;  ///< bulges[i]: segment from points[i] to the next point
   bool closed = false;
-  bool filled = false;  ///< true for an arrow head, which is a black triangle
+  bool filled = false;                            ///< true for an arrow head, a black triangle
   std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a mark of a drawing
   bool more = false;                  ///< true if the next path is a further piece of the same area
   std::optional<SheetBox> clip = {};  ///< the visible part; absent if the whole sheet is visible
@@ -89,8 +89,8 @@ struct Sheet {
   void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
   void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
             Along along = Along::start);
-  /// Adds a text that runs upwards, so that it is read from the right. `along` is its alignment
-  /// in this direction.
+  /// Adds a text that runs upwards and is read from the right. `along` is the alignment in this
+  /// direction.
   void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
                     Along along = Along::start);
   /// Adds a symbol with a subscript, such as "α_n".
@@ -103,7 +103,7 @@ double symbol_width(std::string_view symbol, double height);
 /// Returns the box around a text, including capitals and descenders.
 SheetBox box_of(const SheetText& text);
 
-// The letters of a sheet are those of the font Helvetica. Greek letters and a few signs are those
+// Most letters of a sheet are those of the font Helvetica. Greek letters and a few signs are those
 // of the font Symbol. Both fonts belong to the 14 fonts that every PDF reader provides (PDF 1.4,
 // 5.5.1). The widths of their letters are published (Adobe, Core 14 AFM files).
 

@@ -15,29 +15,29 @@ constexpr auto kLeaders = SheetLayer::dimension;
 constexpr const char* kBoth = "2×";  // the requirement applies to both faces
 
 // Lengths in mm. kEnd: right end of the upper callouts. kFlankLeader, kBoreLeader: distances of
-// vertical leaders from the left face. kLeaderLength: horizontal leader of the faces. kApart:
-// distance between two callouts. kClear: distance from lines of the views. kLeast: least length of
-// a leader with an arrow.
+// vertical leaders from the left face. kLeaderLength: length of the horizontal leader of the faces.
+// kApart: distance between two callouts. kClear: distance from lines of the views. kLeast: least
+// length of a leader with an arrow.
 constexpr double kEnd = -8, kFlankLeader = -2, kBoreLeader = -5, kLeaderLength = 6;
 constexpr double kApart = 1.5, kClear = 2, kLeast = 4;
-// Lengths in mm, measured from the outermost circle. kCentreLine: the centre lines extend this far
-// beyond the circle. kDimensionTop, kDatumTop: the dimensions and the datum on the right-hand side
-// end at these heights above the circle.
+// Lengths in mm, measured from the outermost circle. kCentreLine: length of the centre lines beyond
+// the circle. kDimensionTop, kDatumTop: heights above the circle at which the dimensions and the
+// datum on the right-hand side end.
 constexpr double kCentreLine = 3, kDimensionTop = 8, kDatumTop = 12;
 constexpr double kTipFrame = 0.8;   // distance from the circle up to the frame of the tip circle
 constexpr double kFaceLeader = -4;  // leader of the faces relative to the lower end of the section
 
 double texture_width(const std::string& words) { return texture_left() + texture_right(words); }
 
-// The box of a symbol of surface texture, with its lower edge at the height `shelf` and its
-// right edge at kEnd.
+// Returns the box of a symbol of surface texture. Its lower edge is at the height `shelf`, and its
+// right edge is at kEnd.
 SheetBox texture_box(const std::string& words, double shelf) {
   return {{kEnd - texture_width(words), shelf}, {kEnd, shelf + kTextureHeight}};
 }
 
-// The greatest horizontal distance from the centre of a circle to a point of the circle between
-// two heights. If the horizontal centre line lies between these heights, the result is the distance
-// to the end of the centre line, which lies beyond the circle.
+// Returns the greatest horizontal distance from the centre of a circle to a point of the circle
+// between two heights. If the horizontal centre line lies between these heights, the function
+// returns the distance to the end of the centre line, which lies beyond the circle.
 double half_chord(double radius, double lo, double hi) {
   if (lo <= 1 && hi >= -1) return radius + kCentreLine;
   const double y = std::min(std::abs(lo), std::abs(hi));
@@ -52,8 +52,8 @@ Callouts::Callouts(AxialSection section, SurfaceRequirements required)
   place_above();
 }
 
-// The callout of the faces is at the lower left, where its leader passes below all dimensions.
-// If a dimension reaches below this leader, the callout is at the upper right.
+// The callout of the faces is at the lower left, with a leader that passes below all dimensions. If
+// a dimension extends below this leader, the callout is at the upper right.
 void Callouts::place_faces() {
   const double number = text_width(kBoth, kUsual) + 1;
   double width = runout_width(required_.face_runout), height = kFrameHeight + kUsual + 1;
@@ -84,7 +84,8 @@ void Callouts::place_above() {
   for (const OccupiedSpace& s : section_.on_left) floor = std::max(floor, s.hi + kClear);
 
   if (section_.ring) {
-    // The leader of the tip circle comes from the inside, or from above if the ring is small.
+    // The leader of the tip circle comes from the inside. If the ring is small, it comes from
+    // above.
     double frame = section_.tip - kLeast - kFrameHeight / 2;
     if (frame < floor) frame = std::max(floor, section_.tip + kLeast - kFrameHeight / 2);
     double shelf = frame + kFrameHeight + kApart;
@@ -138,7 +139,8 @@ void Callouts::draw(Sheet& sheet, const Vec2& origin) const {
   const auto line = [&](const Vec2& a, const Vec2& b) {
     sheet.line(kLeaders, origin + a, origin + b);
   };
-  // A leader from `from` along the horizontal to the x of `tip`, then vertically to `tip`.
+  // Draws a leader from `from` along the horizontal to the x of `tip`, and then vertically to
+  // `tip`.
   const auto leader = [&](const Vec2& from, const Vec2& tip) {
     const Vec2 corner(tip.x(), from.y());
     line(from, corner);

@@ -1,9 +1,9 @@
-// Draws the callouts of an axial section: runout of tip circle and faces, and surface texture of
-// flanks, bore and faces, with leaders to the section. Internal to cad/.
+// Draws the callouts of an axial section with leaders to the section. They give the runout of tip
+// circle and faces, and the surface texture of flanks, bore and faces. Internal to cad/.
 //
 // The callouts are to the left of the section, in the corners next to the circle of the transverse
-// view, because this space is empty at most scales. Coordinates are relative to the point of the
-// axis at the left face.
+// view. At most scales, this space is empty. Coordinates are relative to the point of the axis at
+// the left face.
 //
 //     [tip runout]──────┐
 //      flank ─────────┐ ↓          ring: the runout of the tip circle is below the flank, because
@@ -21,7 +21,7 @@
 
 namespace gearwright {
 
-/// Part of the drawing to the left of the section that is already occupied.
+/// The space to the left of the section that other parts of the drawing already occupy.
 struct OccupiedSpace {
   double left, lo, hi;  ///< mm, left end, lower and upper end
 };
@@ -40,10 +40,10 @@ class Callouts {
  public:
   Callouts(AxialSection section, SurfaceRequirements required);
 
-  /// The space that each callout covers, without its leader.
+  /// Returns the space that each callout covers, without its leader.
   std::vector<SheetBox> boxes() const;
-  /// The distance that the callouts need between the centre of the transverse view and the left
-  /// face.
+  /// Returns the distance between the centre of the transverse view and the left face that the
+  /// callouts need.
   double distance() const;
   double top() const;    ///< greatest height of a callout above the axis
   double right() const;  ///< extent beyond the right face; 0 if no callout lies beyond this face

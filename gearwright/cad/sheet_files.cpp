@@ -43,7 +43,7 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
   }
 }
 
-// The content of a PDF page. Line settings are written only if they differ from the current ones.
+// The content of a PDF page. A line setting is written only if it differs from the current setting.
 class Content {
  public:
   explicit Content(const Sheet& sheet) {
@@ -58,7 +58,8 @@ class Content {
     out_ += "ET\n";
   }
   const std::string& text() const { return out_; }
-  // The graphics states for "gs", as an entry of the resources; empty if there are none.
+  // Returns the graphics states for "gs", as an entry of the resources. The text is empty if there
+  // are none.
   std::string states() const {
     std::string list;
     for (std::size_t i = 0; i < opacities_.size(); ++i)
@@ -75,7 +76,8 @@ class Content {
     chain_ = style.chain;
   }
 
-  // Sets the look of a mark of a figure. The caller restores the previous look with "Q".
+  // Sets the look of a mark of a figure. The caller must write "Q" afterwards, which restores the
+  // previous look.
   void begin(const SheetInk& ink, const std::optional<SheetBox>& clip) {
     const auto colour = [](std::uint32_t c) {
       return fmt::format("{:.3g} {:.3g} {:.3g}", (c >> 16) / 255.0, (c >> 8 & 255) / 255.0,
@@ -158,7 +160,7 @@ class Content {
   bool piece_follows_ = false;
 };
 
-// Encodes text of the document information as hexadecimal UTF-16 with a byte order mark.
+// Encodes a text of the document information as hexadecimal UTF-16 with a byte order mark.
 std::string information(const std::string& utf8) {
   std::string text = "<FEFF";
   for (const char32_t code : code_points(utf8)) {
@@ -259,8 +261,8 @@ std::string layer_of(const Mark& mark) {
   return mark.ink ? mark.ink->name : style_of(mark.layer).name;
 }
 
-// The AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta. For
-// shades of grey, the index is 7, the colour of the text.
+// Returns the AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta.
+// For shades of grey, returns 7, the colour of the text.
 int colour_index(std::uint32_t rgb) {
   const Eigen::Vector3i c(static_cast<int>(rgb >> 16), rgb >> 8 & 255, rgb & 255);
   int i = 0;

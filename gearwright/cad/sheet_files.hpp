@@ -1,5 +1,5 @@
-// Writes sheets of paper as files. The same sheets give the same bytes, because the files contain
-// no time and no host name.
+// Writes sheets of paper as files. The files contain no time and no host name, so the same sheets
+// give the same bytes.
 //
 //   PDF   1.4, one page per sheet; the fonts are Helvetica and Symbol, which need not be embedded
 //   SVG   in mm, the sheets side by side; the file states the width of every text, so that a
@@ -25,8 +25,8 @@ struct SheetWords {
 /// Domain    at least one sheet (contract), for all functions below
 /// Accuracy  0.15 µm on paper
 std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words);
-/// Returns the number of letters that neither font of the PDF contains. The PDF shows question
-/// marks for them.
+/// Returns the number of letters that neither font of the PDF contains. The PDF shows a question
+/// mark for each of them.
 int letters_not_in_pdf(const std::vector<Sheet>& sheets);
 
 std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words);

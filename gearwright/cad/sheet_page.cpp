@@ -46,8 +46,8 @@ struct TablePlace {
   int columns;
 };
 
-// An A4 sheet is in portrait format, with the views at the top and the data in two columns below.
-// An A3 sheet is in landscape format, with the data to the right of the views.
+// An A4 sheet is in portrait format, with the views at the top and the data in two columns below
+// the views. An A3 sheet is in landscape format, with the data to the right of the views.
 TablePlace place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
                     const std::vector<DataGroup>& data) {
   if (size == SheetSize::a4) {

@@ -1,5 +1,5 @@
-// The page of a workshop drawing: frame, title block, data table and the views of a part at the
-// largest scale of ISO 5455 at which they fit. Internal to cad/.
+// Makes the page of a workshop drawing: frame, title block, data table and the views of a part. The
+// scale is the largest scale of ISO 5455 at which the views fit. Internal to cad/.
 #pragma once
 
 #include <functional>
@@ -11,14 +11,14 @@
 
 namespace gearwright {
 
-/// As length_text(), but a computed length in mm is rounded to µm.
+/// Works like length_text(), but rounds a computed length in mm to µm.
 std::string computed_length_text(UnitSystem units, double mm);
 
 /// The views of a part at one scale.
 class SheetViews {
  public:
   virtual ~SheetViews() = default;
-  /// The box that the views occupy around their origin.
+  /// Returns the box that the views occupy, relative to their origin.
   virtual SheetBox box() const = 0;
   virtual void draw(Sheet& sheet, const Vec2& origin) = 0;
 };

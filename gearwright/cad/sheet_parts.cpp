@@ -10,10 +10,12 @@ namespace gearwright {
 
 namespace {
 
-// Lengths in mm: gap between extension line and edge, projection beyond the dimension line,
-// distance between text and its line, length of the line behind an outside arrow.
+// Lengths in mm. kOff: gap between extension line and edge. kPast: projection beyond the dimension
+// line. kOverLine: distance between text and its line. kTail: length of the line behind an outside
+// arrow.
 constexpr double kOff = 1, kPast = 1.5, kOverLine = 1.3, kTail = 6;
-constexpr double kInside = 10;  // least distance between two arrows inside the extension lines
+constexpr double kInside = 10;  // least distance between the edges for arrows inside the extension
+                                // lines
 constexpr double kHatch = 2.5;
 
 constexpr double kLine = 1.5;  // distance between lines of text, relative to the height of capitals
@@ -97,7 +99,7 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const double width = text_width(d.words, kUsual);
   const bool inside = has_room(d);
   const Vec2 forward = at(1, 0);
-  // A datum outside the dimension replaces an arrow.
+  // If a datum is outside the dimension, it replaces an arrow.
   const bool replaced = d.datum && !inside;
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   if (!replaced) sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
@@ -107,8 +109,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
     else
       draw_datum(sheet, at(d.end, d.line), DatumSide::above);
   }
-  // Upright text is to the left of its dimension line, because a reader at the right-hand side of
-  // the sheet then sees the text above the line.
+  // Upright text is to the left of its dimension line. A reader at the right-hand side of the sheet
+  // then sees the text above the line.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)
@@ -130,8 +132,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
 }
 
 void hatch(Sheet& sheet, const SheetBox& box) {
-  // Hatching lines are y = x + c. The values of c do not depend on the box, so all hatched parts of
-  // a body match.
+  // Hatching lines are y = x + c. The values of c do not depend on the box, so the lines of all
+  // hatched parts of a body are aligned.
   const double step = kHatch * std::sqrt(2.0);
   const double least = box.lo.y() - box.hi.x(), most = box.hi.y() - box.lo.x();
   for (double n = std::ceil(least / step); n * step < most; ++n) {

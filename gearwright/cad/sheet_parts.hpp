@@ -1,5 +1,5 @@
-// Draws the parts of a workshop drawing: frame, title block, data table and dimensions. Internal to
-// cad/.
+// Draws the parts of a workshop drawing: frame, title block, data table and dimensions. Only files
+// of cad/ include this header.
 //
 // Frame and margins follow ISO 5457, the fields of the title block follow ISO 7200, and dimensions
 // follow ISO 129-1. Text is placed above its line and is read from below or from the right.
@@ -51,20 +51,20 @@ struct Dimension {
 /// True if there is room for the text between the edges.
 bool has_room(const Dimension& dimension);
 
-/// The lowest and the highest point of a vertical dimension, including text and datum, mm.
+/// The lowest and the highest point of a vertical dimension, including its text and its datum, mm.
 struct Reach {
   double lo, hi;
 };
 Reach reach_of(const Dimension& dimension);
 
-/// Draws a dimension. Its text is above the dimension line if there is room between the edges.
-/// Otherwise the text is beyond the right end of a horizontal dimension line, or beyond the
-/// lower end of a vertical one. The datum is at the lower end, or at the upper end if the text
-/// is below.
+/// Draws a dimension. If there is room between the edges, its text is above the dimension line. If
+/// there is no room, the text is beyond the right end of a horizontal dimension line, or beyond the
+/// lower end of a vertical one. The datum is at the lower end. If the text is below, the datum is
+/// at the upper end.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
-/// Draws text within a box, starting at the top. The letters are as large as possible, and several
-/// lines are used if necessary. Text that does not fit ends in an ellipsis.
+/// Draws text within a box, starting at the top. The letters are as large as possible. The function
+/// uses several lines if necessary. If the text does not fit, it ends in an ellipsis.
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 

@@ -13,8 +13,7 @@ namespace {
 constexpr auto kThin = SheetLayer::dimension;
 
 // Lengths in mm for h = 2.5 mm. kShort and kTextureHeight: heights of the two legs of the symbol of
-// surface texture. kBlank: width for a text that is not given. kNear: distance of a text from a
-// line.
+// surface texture. kBlank: width for a missing text. kNear: distance of a text from a line.
 constexpr double kShort = 3.5, kBlank = 9, kNear = 0.6;
 // Side of the datum's triangle, and distance from its base to the box.
 constexpr double kTriangle = 3, kStem = kDatumHeight - kFrameHeight;

@@ -1,5 +1,5 @@
 // Draws the graphical symbols of a workshop drawing: surface texture, runout, datum and edge. The
-// symbols consist of lines and texts of a sheet, so that every file format can contain them.
+// symbols consist of lines and texts of a sheet, so every file format can contain them.
 // Internal to cad/.
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
@@ -22,14 +22,14 @@ inline constexpr double kTextureHeight = 7.5, kFrameHeight = 5.0, kDatumHeight =
 /// Half of the width of the box of a datum, mm.
 inline constexpr double kDatumHalf = kFrameHeight / 2;
 
-/// The letter of the only datum of a sheet. The datum is the axis of a gear or the back of a
-/// rack.
+/// The letter of the only datum of a sheet, which is the axis of a gear or the back of a rack.
 inline constexpr const char* kDatum = "A";
 
-/// The extent of the symbol of a surface texture, such as "MRR Ra 0.8", to the left and to the
-/// right of its point. The first word of the text selects the symbol. MRR gives a bar (material is
-/// removed), and NMR gives a circle (no material is removed). APA, or a text without any of these
-/// words, gives the basic symbol (any process). The selecting word is not written.
+/// Return the extent of the symbol of a surface texture, such as "MRR Ra 0.8", to the left and to
+/// the right of its point. The first word of the text selects the symbol. MRR gives a bar (material
+/// is removed), and NMR gives a circle (no material is removed). APA, or a text without any of
+/// these words, gives the basic symbol (any process). The symbol does not contain the selecting
+/// word.
 ///
 /// Units  mm
 double texture_left();
@@ -37,7 +37,7 @@ double texture_right(std::string_view words);
 /// Draws the symbol with its point at `foot`, upright.
 void draw_texture(Sheet& sheet, const Vec2& foot, std::string_view words);
 
-/// The least width of the tolerance frame of a circular runout, mm.
+/// Returns the least width of the tolerance frame of a circular runout, mm.
 double runout_width(std::string_view value);
 /// Draws the frame with its lower left corner at `lo`. `width` is at least runout_width(value).
 void draw_runout(Sheet& sheet, const Vec2& lo, double width, std::string_view value);

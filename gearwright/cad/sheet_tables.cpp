@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// Lengths in mm: height of a row; widths of the parts of a column for the term, the symbol and the
-// value; distance between two columns of the table.
+// Lengths in mm. kRow: height of a row. kWords, kSymbol, kValue: widths of the term, the symbol and
+// the value. kBetween: distance between two columns of the table.
 constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
 // Distance of a text from the left edge of its cell, and of its base line from the lower edge, mm.
@@ -21,7 +21,8 @@ constexpr double kInset = 1.2, kBase = 1.4;
 
 double rows_of(const DataGroup& group) { return 1.0 + static_cast<double>(group.rows.size()); }
 
-// The number of groups in the first column for which the longer column is as short as possible.
+// Returns the number of groups in the first column. It makes the longer of the two columns as short
+// as possible.
 std::size_t second_column(const std::vector<DataGroup>& groups) {
   double all = 0.0, before = 0.0, best = std::numeric_limits<double>::infinity();
   for (const DataGroup& g : groups) all += rows_of(g);
@@ -46,8 +47,8 @@ Columns split(const std::vector<DataGroup>& groups, int columns) {
   return result;
 }
 
-// The usual letter height, reduced if the text would be wider than `width`. `natural_width` is the
-// width of the text at the usual height.
+// Returns the usual letter height. If the text would be wider than `width`, the height is reduced.
+// `natural_width` is the width of the text at the usual height.
 double fitted(double natural_width, double width) {
   return kUsual * std::min(1.0, width / natural_width);
 }
@@ -75,8 +76,8 @@ void draw_group(Sheet& sheet, double x, double& y, const DataGroup& group) {
     sheet.line(SheetLayer::data, {x + column, top}, {x + column, y});
 }
 
-// Left margin (wider than the others, for filing), other margins, and length of the centring marks,
-// mm (ISO 5457).
+// Lengths in mm (ISO 5457). kFiling: left margin, which is wider for filing. kMargin: other
+// margins. kMark: length of the centring marks.
 constexpr double kFiling = 20, kMargin = 10, kMark = 5;
 constexpr double kWidth = 180;  // width of a title block, ISO 7200
 constexpr double kFieldRow = 9, kTitle = 16;
@@ -89,15 +90,15 @@ struct Cell {
   bool edge = false;  // true if the text is within the symbol of an edge
 };
 
-// The space for text in a cell, below the label. The symbol of an edge runs along the left and the
-// lower side of this space.
+// Returns the space for text in a cell, below the label. The symbol of an edge runs along the left
+// and the lower side of this space.
 SheetBox room(const SheetBox& box, const Cell& cell) {
   const Vec2 symbol = cell.edge ? Vec2(1, 0.4) : Vec2(0, 0);
   return {box.lo + Vec2(kFieldInset, kFieldInset / 2) + symbol,
           box.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
 }
 
-// The height of a row. If a text does not fit, the height is increased up to a limit.
+// Returns the height of a row. If a text does not fit, the height is increased up to a limit.
 double height_for(const std::vector<Cell>& cells, double height, double largest) {
   constexpr double kStep = 1, kMost = 24;
   const auto fits = [&](const Cell& cell) {
@@ -108,8 +109,8 @@ double height_for(const std::vector<Cell>& cells, double height, double largest)
   return height;
 }
 
-// Draws a row of cells from left to right. `lo` is its lower left corner. The label of a cell is
-// above its text.
+// Draws a row of cells from left to right. `lo` is the lower left corner of the row. The label of a
+// cell is above its text.
 void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
               double largest) {
   double x = lo.x();

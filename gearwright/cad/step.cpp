@@ -61,8 +61,8 @@ Error too_many(std::size_t faces, int slices) {
               faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
-// Adds the arcs of half a tooth with modifications to the report. The report of an arc contains
-// the greatest degree, number of poles and deviation of all faces that belong to it.
+// Adds the arcs of half a tooth with modifications to the report. For each arc, the report contains
+// the greatest degree, the greatest number of poles and the greatest deviation of all its faces.
 void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
                        const ModifiedFit& fit, std::size_t body) {
   const auto& arcs = teeth.outline().arcs;
@@ -93,7 +93,7 @@ std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<To
 }
 
 // Divides a gear into faces, and adds the faces of half a tooth to the report. `index` is the index
-// of the body to which the gear belongs.
+// of the body that contains the gear.
 Result<GearFaces> faces_of(const ToothedBody& gear, std::size_t index,
                            std::vector<StepFace>& faces) {
   auto walls = make_walls(gear);

@@ -4,8 +4,8 @@
 // All other faces are B-splines within kSectionTarget_mm of the screw surface
 // (cad/screw_spline.hpp), and neighbouring faces share their edges. Modified flanks, and the
 // fillets next to them, are B-splines within the same limits (cad/modified_fit.hpp). A single body
-// in its own frame is written as a part. Several bodies, or a body with a pose, are written as an
-// assembly of parts at their poses.
+// in its own frame is a part. Several bodies, or a body with a pose, are an assembly of parts at
+// their poses.
 //
 //   Laws  (1) the same bodies and file name give the same bytes, because the header's time is fixed
 //         (2) the hand of the helix and the pose change neither the number of faces nor the volume
@@ -22,10 +22,10 @@
 namespace gearwright {
 
 /// The application protocol of the file. Solids, names, colours and assemblies are the same in both
-/// protocols. ap242 has replaced ap214, which remains available for older systems.
+/// protocols. ap242 has replaced ap214. Older systems may need ap214.
 enum class StepSchema { ap242, ap214 };
 
-/// "AP242"
+/// Returns the name of the protocol, for example "AP242".
 const char* to_string(StepSchema schema);
 
 struct StepOptions {
@@ -41,7 +41,7 @@ struct StepFace {
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
   /// Greatest normal distance to the exact surface, measured between the points of the fit. For
-  /// modified flanks, it is an upper bound of this distance.
+  /// modified flanks, the value is an upper bound of this distance.
   double max_deviation_mm;
 };
 
@@ -55,7 +55,8 @@ struct StepReport {
   std::size_t edge_count = 0;  ///< edges of all solids; each shared edge counts once
 };
 
-inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid; gives 30 MB of text
+inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid; corresponds to 30 MB
+                                                      ///< of text
 
 struct StepDocument {
   std::string text;

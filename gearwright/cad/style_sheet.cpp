@@ -51,8 +51,8 @@ void StyleSheet::read(std::string_view css) {
   }
 }
 
-// Selectors with a state, with an attribute, or with an ancestor other than svg apply to the page
-// only and are skipped.
+// Selectors with a state, with an attribute, or with an ancestor other than svg apply only to the
+// page. They are skipped here.
 void StyleSheet::add(std::string_view selector, std::string_view declarations) {
   const std::vector<std::string_view> steps = trimmed_parts(selector, ' ');
   if (selector.find_first_of(":[>*") != selector.npos || steps.size() > 2) return;

@@ -1,5 +1,5 @@
-// Reads the part of CSS in which figure_style.css is written: rules with classes and elements,
-// variables, and the colours for paper. Internal to cad/.
+// Reads the part of CSS that figure_style.css uses: rules with classes and elements, variables, and
+// the colours for paper. Internal to cad/.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class StyleSheet {
  private:
   struct Rule {
     std::string tag;                   // empty if the rule applies to every tag
-    std::vector<std::string> classes;  // all of which the element must have
+    std::vector<std::string> classes;  // the element must have all of these classes
     int weight;
     std::string declarations;
   };
@@ -41,15 +41,15 @@ const StyleSheet& figure_styles();
 /// Sets the properties "name:value;…". Values with color-mix() are ignored.
 void apply_declarations(std::string_view declarations, Style& style);
 
-/// Returns the value of a property, or "" if the property is absent. If the value is a
-/// reference var(…), the value of that variable is returned.
+/// Returns the value of a property, or "" if the property is absent. If the value is a reference
+/// var(…), returns the value of this variable.
 std::string text_in(const Style& style, std::string_view name);
 double number_in(const Style& style, std::string_view name, double absent);
-/// The colour 0xRRGGBB; nothing for "none". If the property is absent, the result is `absent`.
+/// Returns the colour 0xRRGGBB, or none for "none". If the property is absent, returns `absent`.
 std::optional<std::uint32_t> colour_in(const Style& style, std::string_view name,
                                        std::optional<std::uint32_t> absent);
 
-/// The texts between separators that are not empty, without surrounding spaces.
+/// Returns the texts between separators, without surrounding spaces. Empty texts are omitted.
 std::vector<std::string_view> trimmed_parts(std::string_view text, char separator);
 
 }  // namespace gearwright

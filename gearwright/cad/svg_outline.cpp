@@ -32,7 +32,7 @@ class Path {
     const Vec2 p = pose_ * at;
     add("L{} {}", p.x(), -p.y());
   }
-  // A counter-clockwise arc remains counter-clockwise on the screen, so the sweep flag is 0.
+  // On the screen, a counter-clockwise arc remains counter-clockwise, so the sweep flag is 0.
   void arc(double radius, double sweep, const Vec2& at) {
     const Vec2 p = pose_ * at;
     add("A{0} {0} 0 {1} 0 {2} {3}", radius, sweep > std::numbers::pi ? 1 : 0, p.x(), -p.y());
@@ -66,7 +66,7 @@ struct DrawnBody {
   int segments = 0;
   double deviation = 0.0;
   double radius = 0.0;
-  // box of a rack, with y reversed; absent if the outline lies within a circle
+  // box of a rack, with y reversed; none if the outline lies within a circle
   std::optional<Eigen::AlignedBox2d> box{};
 };
 
@@ -169,7 +169,7 @@ namespace {
 constexpr int kLooks = 16;
 constexpr int kVerify = 64;
 
-// The exact curve as a function of x, its relative arc length.
+// The exact curve as a function of x, the relative arc length.
 class ByLength {
  public:
   explicit ByLength(const Arc& arc) : arc_(arc), by_length_(*arc.curve, arc.begin, arc.end) {}

@@ -1,10 +1,11 @@
 // Writes the transverse section as SVG: one path, in millimetres.
 //
 // The profile is the first subpath, and the bore or rim is the second. The path is filled by the
-// even-odd rule, so that a gear has a visible bore and an internal gear a visible rim. Lands are
+// even-odd rule, so a gear has a visible bore, and an internal gear has a visible rim. Lands are
 // elliptical arc commands (A), which represent true circles. Other arcs are cubic Bézier curves
-// (C). The y axis of SVG points downwards, so y is written with the opposite sign. The picture is
-// then oriented like the gear frame, without a transformation, which some readers ignore.
+// (C). The y axis of SVG points downwards, so y is written with the opposite sign. The picture then
+// has the orientation of the gear frame. A transformation would have the same effect, but some
+// readers ignore transformations.
 #pragma once
 
 #include <vector>
@@ -36,19 +37,19 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
 //   L    length of one piece, mm      T    unit tangent of the exact curve
 //
 // The handles of each piece are L/3 long and lie along the exact tangents at its ends. If the curve
-// has unit speed, the cubic then agrees with it to the fourth order in L, and neighbouring pieces
-// share their tangent. Each piece is as long as the tolerance allows.
+// has unit speed, the cubic agrees with the curve to the fourth order in L, and neighbouring pieces
+// share their tangent. Each piece is as long as the tolerance permits.
 
 struct BezierChain {
   std::vector<Vec2> points;  ///< 3n + 1 points, mm, root to tip; every third is on the exact curve
   double deviation_mm;       ///< greatest normal distance at 64 points per piece
 };
 
-/// A chain of cubics within `tolerance_mm` of the exact curve.
+/// Returns a chain of cubics within `tolerance_mm` of the exact curve.
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract)
-/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² pieces suffice; the caller must check this
+/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² pieces are sufficient, which the caller must check
 /// Laws      the end points are identical to the end points of the arc, to the last bit
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
 

@@ -1,5 +1,5 @@
-// Describes a gear for CAD files by one outline, which a screw motion moves along the face, and by
-// an optional bore.
+// Describes a gear for CAD files. A gear has one outline, which a screw motion moves along the
+// face, and an optional bore.
 //
 //   τ    twist, rad/mm: 2π/lead, signed, > 0 right hand, 0 spur
 //   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, and the outline is its section at z = 0
@@ -8,8 +8,8 @@
 //
 // A double-helical gear has two screw motions with opposite twist, one for z > 0 and one for z < 0
 // (`TwoHelices`). The section at the height z is the outline turned by τ|z|, so both halves of a
-// tooth point to the apex in the middle plane. A gap between the halves is a groove around the
-// axis.
+// tooth point to the apex in the middle plane. If there is a gap between the halves, it is a groove
+// around the axis.
 //
 // Several external gears on one axis are one solid if plain cylinders join them (`above`).
 //
@@ -36,8 +36,8 @@
 namespace gearwright {
 
 /// The data that make an outline a rack. The frame is that of pair/rack_pair.hpp, in which x is the
-/// height above the datum line. The length of the bar is the pitch times the number of teeth, and
-/// the origin is in the middle of this length.
+/// height above the datum line. The length of the bar is the pitch times the number of teeth. The
+/// origin is in the middle of this length.
 struct RackBlock {
   double pitch;          ///< p_t    mm, along y
   double height;         ///< mm, from the back to the datum line
@@ -70,7 +70,7 @@ struct SolidFrame {};     ///< the frame of a solid; for a gear, its own frame
 struct AssemblyFrame {};  ///< the frame of a file: the housing of a pair, or a plate
 using SolidPose = Pose<AssemblyFrame, SolidFrame>;
 
-/// The pose of a gear of a pair in a file whose frame is the housing of the pair.
+/// Returns the pose of a gear of a pair in a file whose frame is the housing of the pair.
 template <class GearFrame>
 SolidPose in_assembly(const Pose<Housing, GearFrame>& pose) {
   return SolidPose(pose.isometry());
@@ -98,15 +98,16 @@ struct ToothedBody {
   std::optional<Bore> bore;
   SolidPose pose{};
   std::optional<std::size_t> colour{};      ///< for part_colour(); by default the index of the body
-  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with the same shape
+  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with the same shape; if
+                                            ///< set, that shape is used
   std::optional<RackBlock> rack{};          ///< set for a rack, which has no bore and no twist
   std::optional<TwoHelices> two_helices{};  ///< set for a double-helical gear
-  /// The teeth with flank modifications, made by modify(); null if the teeth are as cut. Drawings
+  /// The teeth with flank modifications, made by modify(). Null if the teeth are as cut. Drawings
   /// always show the outline as cut.
   std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
-  /// The other gears of the solid, from bottom to top, each with its `height` and `turn`.
+  /// The other gears of the solid, from bottom to top, each with its own `height` and `turn`.
   ///
   /// Domain    external gears with the same bore, whose own `above` is empty, and with a
   ///           distance between the end faces
@@ -120,25 +121,26 @@ struct ToothedBody {
   bool ring() const { return outline.teeth < 0; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
-  /// This body and the gears above it, from bottom to top.
+  /// Returns this body and the gears above it, from bottom to top.
   std::vector<SolidGear> gears() const;
 
-  /// The screw motions of the teeth, from bottom to top: one, or two for a double-helical gear.
+  /// Returns the screw motions of the teeth, from bottom to top. A double-helical gear has two, and
+  /// any other gear has one.
   std::vector<Band> bands() const;
 
-  /// The limits for the bore or the rim. `root` is the radius of the roots, mm.
+  /// Returns the limits for the bore or the rim. `root` is the radius of the roots, mm.
   HoleLimits hole_limits(double root) const {
     return {ring(), root, grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
-  /// The radius that limits a bore or a rim, mm. The limit is the radius of the groove or, if there
-  /// is no groove, `root`.
+  /// Returns the radius that limits a bore or a rim, mm. It is the radius of the groove or, if
+  /// there is no groove, `root`.
   double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };
 
-/// Colours that distinguish gears in contact in every viewer. The values are linear RGB and differ
-/// clearly in lightness as well as in hue: steel, bronze, blue, green, and for larger drives ochre,
-/// purple, teal and dark grey.
+/// Colours that distinguish gears in contact in every viewer. The values are linear RGB. They
+/// differ clearly in lightness as well as in hue: steel, bronze, blue, green, and for larger drives
+/// ochre, purple, teal and dark grey.
 inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49, 0.53},
                                                                     {0.55, 0.34, 0.14},
                                                                     {0.12, 0.26, 0.48},

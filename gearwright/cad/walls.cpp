@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The greatest variation of the radius of a land that counts as a circle about the axis.
+// If the radius of a land varies by at most this value, the land counts as a circle about the axis.
 constexpr double kRound_mm = 1e-8;
 constexpr double kLaw_mm = 1e-6;  // tolerance for the laws of an outline
 constexpr int kWallLooks = 64;    // number of examined points of an arc
@@ -80,7 +80,7 @@ SplinePair spline_walls(Complex begin, Complex end, const SectionSpline& fit) {
            std::vector<Complex>(fit.poles.rbegin(), fit.poles.rend())}};
 }
 
-// The walls of tooth 0, from its lower half to the space before tooth 1.
+// Returns the walls of tooth 0, from its lower half to the space before tooth 1.
 std::vector<Wall> tooth_walls(const std::vector<Arc>& arcs, const std::vector<ArcFit>& fits,
                               int z) {
   std::vector<Wall> lower;
@@ -161,7 +161,7 @@ Outline tidied(const Outline& outline) {
     end = on_ray;
   };
   move(tidy.arcs.front().begin_point, sincos_turn(1, 2LL * std::abs(outline.teeth)), kLaw_mm);
-  // The tolerance is greater at the tip, because several slivers may be omitted there.
+  // The tolerance is greater at the tip, because several slivers may be omitted at the tip.
   move(tidy.arcs.back().end_point, {0.0, 1.0}, 4.0 * kLaw_mm);
   return tidy;
 }
@@ -211,8 +211,8 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const Arc& arc = arcs[i];
     fits.push_back({arc.name, std::nullopt});
-    // A circle and its mirror image can form one wall only if they meet at the centre line of a
-    // tooth or space.
+    // A circle and its mirror image form one wall only if they meet at the centre line of a tooth
+    // or space.
     if ((i == 0 || i + 1 == arcs.size()) && round_land(arc)) continue;
     fits.back().spline = fit_section(arc);
     const double deviation = fits.back().spline->deviation_mm;

@@ -1,5 +1,5 @@
 // Divides the surface of a toothed body into walls. A wall is a piece of a closed loop of the
-// section, and each wall gives one face per slice.
+// section. Each wall gives one face per slice.
 //
 //   wall      a piece of a loop, counter-clockwise: a spline, a circle about the axis, or a line
 //   loop      walls in order: each starts at the end of the previous one, and the loop is closed
@@ -45,7 +45,7 @@ struct WallKnots {
 };
 
 WallKnots knots_of(const BSplineBasis& basis);
-/// The knots of the spline in the reversed direction.
+/// Returns the knots of the spline in the reversed direction.
 WallKnots backward(WallKnots knots);
 
 struct Wall {
@@ -79,7 +79,7 @@ struct BodyWalls {
   double outer_radius;               ///< greatest radius of the outline, mm
 };
 
-/// The outline without slivers, which ends exactly on the centre lines of space and tooth.
+/// Returns the outline without slivers. It ends exactly on the centre lines of space and tooth.
 ///
 /// Domain    the laws of the outline hold within 1e-6 mm (contract)
 Outline tidied(const Outline& outline);
@@ -87,7 +87,7 @@ Outline tidied(const Outline& outline);
 /// True if the arc is a land and a circle about the axis within 1e-8 mm.
 bool round_land(const Arc& arc);
 
-/// The error for a face from which every spline deviates by more than kSectionMax_mm.
+/// Returns the error for a face that no spline approximates within kSectionMax_mm.
 Error no_spline(std::string_view face, double deviation);
 
 /// Cuts a body into walls.
@@ -100,20 +100,20 @@ Error no_spline(std::string_view face, double deviation);
 ///           (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 
-// The layers of a body: the planes that cut its walls, and the path of a section point through one
-// layer. Pole (j, i) of a wall in a slice is h_j c_i at the height z_j, where h_j and z_j belong to
-// the slice, and c_i belongs to the wall.
+// The layers of a body, which are the parts between the planes that cut its walls, and the path of
+// a section point through one layer. Pole (j, i) of a wall in a slice is h_j c_i at the height z_j.
+// h_j and z_j belong to the slice, and c_i belongs to the wall.
 
-/// A plane z = const. The section in it is turned by an angle φ, which is τz for a body with one
-/// screw motion.
+/// A plane z = const. The section in this plane is turned by an angle φ, which is τz for a body
+/// with one screw motion.
 struct WallLevel {
   double z;      ///< mm
   double angle;  ///< φ  rad
   Complex turn;  ///< e^{iφ}
 };
 
-/// The layer between two levels. The helix of the layer is the helix of the body, turned by the
-/// mean angle of the two levels.
+/// The layer between two levels. Its helix is the helix of the body, turned by the mean angle of
+/// the two levels.
 struct WallSlice {
   WallLevel low;
   WallLevel high;
@@ -125,7 +125,7 @@ struct WallSlice {
   bool straight() const { return low.angle == high.angle; }
 };
 
-/// The levels of the band of one screw motion, from bottom to top.
+/// Returns the levels of the band of one screw motion, from bottom to top.
 std::vector<WallLevel> levels_of(const Band& band, int slices);
 
 WallSlice slice_between(const WallLevel& low, const WallLevel& high, const HelixSpline& helix);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kMarking = 0.00635;  // mm, thickness of the marking compound for the ellipse
 
-// Semi-axis of the area in which the gap is smaller than the thickness of the marking compound,
-// if the curvature of the gap is k. It has no value if k ≤ 0.
+// Returns the semi-axis of the area in which the gap is smaller than the thickness of the marking
+// compound. k is the curvature of the gap. If k ≤ 0, there is no value.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {

@@ -37,12 +37,12 @@ struct CompensateInput {
   std::vector<std::size_t> corrections;    ///< indices in correction_entries; if empty, the default
                                            ///< corrections for the kind of pair
   std::optional<double> centering_arcsec;  ///< w  penalty for a pattern at the end of the face
-  /// [compensate.range]: the least and the greatest value of each error. The index is the index of
-  /// the error in error_entries.
+  /// [compensate.range]: the least and the greatest value of each error, indexed like
+  /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};
 };
 
-/// The permitted words in a list of corrections, in the order of correction_entries.
+/// Returns the permitted words in a list of corrections, in the order of correction_entries.
 std::vector<std::string_view> correction_words();
 
 const KeyTable& compensate_keys();

@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// A correction that was found. `key` and `unit` are spelled as in specs, for example as
+/// A correction that was found. `key` and `unit` are written as in specs, for example
 /// "gear1.lead_crowning_um" and "um".
 struct FoundCorrection {
   std::string key, unit;
@@ -21,7 +21,7 @@ struct FoundCorrection {
   bool at_bound;         ///< true if the value is at the end of the searched range
 };
 
-/// A set of errors in words, and their effect before and after the correction.
+/// A set of errors, described in words, and its effect before and after the correction.
 struct Scenario {
   std::string errors;
   ContactScore before, after;
@@ -40,7 +40,8 @@ struct CompensateView {
   std::vector<AimedLoad> loads{};  ///< results for each torque, if the aim includes load
 };
 
-/// The smallest improvement for which corrections are made, as text, for example "0.001 ″".
+/// Returns, as text, the smallest improvement for which corrections are made, for example "0.001
+/// ″".
 const char* least_gain(CompensateAim aim);
 
 const Quantities<CompensateView>& compensate_quantities();

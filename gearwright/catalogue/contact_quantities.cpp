@@ -14,8 +14,8 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const ContactPoint& p) { return p.kind != TouchKind::none; }
 
-// A getter for a quantity of a single contact point. It has no value for a whole double-helical
-// pair, because each half has its own contact point.
+// Returns a getter for a quantity of a single contact point. For a whole double-helical pair, the
+// quantity has no value, because each half has its own contact point.
 template <class F>
 auto at_place(F get) {
   return [get](const ContactPoint& p) {
@@ -31,7 +31,7 @@ auto touching(F get) {
   };
 }
 
-// The results for a rack are travels instead of angles.
+// A rack has travels instead of angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
 bool of_rack(const ContactView& v) { return is_rack(v.driving); }
@@ -177,8 +177,8 @@ const Quantities<ContactResult>& non_working_quantities() {
   });
 }
 
-// Derivatives of the transmission error and of the contact point at every position, in the units of
-// the keys.
+// Returns the derivatives of the transmission error and of the contact point at every position, in
+// the units of the keys.
 Value sensitivities(const ContactView& v) {
   ValueMap all;
   const RackTravel rack = v.driving.rack;

@@ -20,9 +20,9 @@ struct NamedSlope {
   double unit = 1.0;  ///< one unit of the number, in rad or mm
 };
 
-/// A contact analysis with the results of additional requests. For a double-helical pair, it is the
-/// analysis of the whole gears, whose two halves share the load because one gear floats along its
-/// axis (contact/halves.hpp). The analysis of whole double-helical gears has no pattern.
+/// A contact analysis with the results of additional requests. For a double-helical pair, the whole
+/// gears are analysed. One gear floats along its axis, so both halves share the load
+/// (contact/halves.hpp). The analysis of the whole gears has no pattern.
 struct ContactView {
   ContactResult driving;            ///< the working flanks for the given driving gear
   ContactResult other;              ///< the non-working flanks, at the same positions
@@ -37,7 +37,7 @@ struct ContactView {
   std::optional<std::array<FlankRaster, 2>> pattern{};  ///< none if [contact] does not request it
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2 at each position;
-                                      ///< empty for a single helix
+                                      ///< empty without double-helical gears
 };
 
 const Quantities<ContactView>& contact_quantities();

@@ -12,7 +12,7 @@ namespace gearwright {
 namespace {
 
 // Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
-// given" remains unchanged.
+// given" is not changed.
 std::string in_words(std::string_view errors) {
   std::string text;
   while (!errors.empty()) {

@@ -1,4 +1,4 @@
-// The tables of corrections and proposed modifications and of their effects, for users.
+// Makes the tables of corrections, of proposed modifications, and of their effects, for users.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,17 @@
 
 namespace gearwright {
 
-/// A row for each correction, and a note for each value at the end of the searched range.
+/// Returns a table with a row for each correction. A note marks each value at the end of the
+/// searched range.
 TextTable correction_table(std::string title, const std::vector<FoundCorrection>& corrections,
                            UnitSystem units);
 
 /// The peak-to-peak transmission error for each combination of errors.
 TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units);
 
-/// One table with the amounts of each proposal, and one with its effects under load. If the
-/// accuracy grades give helix slope deviations, the effects are also listed for the less favourable
-/// direction of these deviations. The proposal with the index `marked` has a *.
+/// Returns two tables: the amounts of each proposal, and the effects of each proposal under load.
+/// If the accuracy grades give helix slope deviations, the effects are also listed for the less
+/// favourable direction of these deviations. The proposal with the index `marked` has a *.
 std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
                                        std::optional<std::size_t> marked);
 

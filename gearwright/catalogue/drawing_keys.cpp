@@ -9,12 +9,11 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of letters of a texture for which its symbol has room. Two textures that fit are
+// Greatest number of letters of a texture that its symbol can contain. Two textures that fit are
 // "0.008-0.8/Ra 0.8" and "U Rz 4; L Ra 0.2".
 constexpr std::size_t kTextureLetters = 20;
 
-// The size in mm at which the names of fits are checked. The table of deviations contains every
-// fit at this size.
+// The names of fits are checked at this size, mm. The table of deviations contains every fit there.
 constexpr double kAnySize = 20.0;
 
 std::optional<KeyFault> check_texts(DrawingInput& d, const KeyGiven&) {

@@ -1,5 +1,5 @@
 // The keys of [drawing]: the texts of a title block, the surface textures, and the fits of bore and
-// keyway. Drawings show them as given, and no date or author is added.
+// keyway. Drawings show these texts unchanged. The program adds no date and no author.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// A text is empty if it is not given.
+/// The texts of [drawing]. A text that is not given is empty.
 struct DrawingInput {
   std::string title, number, author, date, material, note;
   std::string heat_treatment, surface_texture, edges, general_tolerances;

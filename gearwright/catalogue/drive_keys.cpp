@@ -16,7 +16,7 @@ constexpr const char* kBodies = "a body or a list of bodies";
 constexpr const char* kMembers = "a number, or a table of numbers by member";
 constexpr const char* kMeshes = "a number, or a table of numbers by mesh";
 
-// A key whose value may have several forms. The reader of drives converts the value.
+// Makes a key whose value may have several forms. The reader of drives converts the value.
 Key formed(std::string_view key, std::string_view form, std::string_view fallback,
            std::string_view meaning) {
   return {.key = key,
@@ -72,7 +72,8 @@ Key torque_key(KeyPlace place) {
       .with_form("a number");
 }
 
-// Sets the torque P/ω. The speed is read first, because its key precedes that of the power.
+// Sets the torque P/ω. The key of the speed comes before the key of the power, so the speed is
+// known.
 std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
                       std::optional<double>& torque_Nm) {
   if (speeds_rpm.empty() || speeds_rpm.front() == 0.0)
@@ -88,7 +89,8 @@ std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
   return "";
 }
 
-// `part` returns the part of T that contains the speeds and the torque of the input.
+// Makes the key of a power. `part` returns the part of T with the speeds and the torque of the
+// input.
 template <class T, class Part>
 Key power_key(Part part) {
   const auto set = [part](T& input, double power) {
@@ -147,7 +149,7 @@ std::string set_teeth(StageInput& input, const std::array<int, 2>& teeth) {
   return "must be two whole numbers; the second number is negative for a ring";
 }
 
-// The bores of a stage. They are two numbers for a pair, and numbers by name for a set.
+// Makes the key of the bores of a stage. A pair has two numbers, and a set has numbers by name.
 Key bore_key() {
   Key key = formed("bore_mm",
                    "a number, or a list of two numbers; for a planetary set, the same forms as in "
@@ -315,7 +317,7 @@ const KeyTable& stage_keys() {
 
 const KeyTable& stage_gear_keys() {
   static const KeyTable table = [] {
-    // A gear of a drive is not cut by its mating gear and has no shaft of its own.
+    // In a drive, no gear cuts its mating gear, and no gear has a shaft of its own.
     KeyTable t = gear_keys().without({"cut_by", "profile_shift_pair", "shaft"});
     t.name = "stage_gear";
     t.meaning = "A gear of a drive, with the keys of [gear1]";

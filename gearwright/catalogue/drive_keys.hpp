@@ -16,7 +16,7 @@ const KeyTable& planetary_keys();
 /// [[stage]] with a pair of gears that are given by their numbers of teeth.
 struct StageInput {
   StageSpec stage;
-  PairTeeth plain{};   ///< data of the teeth, which are used only if the module is given
+  PairTeeth plain{};   ///< data of the teeth; used only if the module is given
   std::string series;  ///< name of a series of thickness allowances of DIN 3967
   PerMesh backlash;    ///< j_n  mm, of the only mesh of the pair
   PerMesh efficiency;  ///< η

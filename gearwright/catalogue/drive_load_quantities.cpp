@@ -31,7 +31,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
              "in the order of the loaded meshes; null if all meshes have the same shares",
              [](const V& v) -> Value {
                // Two factors count as equal if their relative difference is at most kSame. The
-               // residual of the equilibrium changes a factor by far less.
+               // residual of the equilibrium causes far smaller differences.
                constexpr double kSame = 1e-6;
                ValueList list;
                bool same = true;

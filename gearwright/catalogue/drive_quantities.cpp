@@ -38,15 +38,16 @@ ValueMap shifts_of(const Drive& d) {
   return map;
 }
 
-// The centre distance of the first mesh of the first planetary set. There is no value if the drive
-// has no set or the set has no geometry.
+// Returns the centre distance of the first mesh of the first planetary set. Returns none if the
+// drive has no set, or if the set has no geometry.
 std::optional<double> set_distance(const Drive& d) {
   if (d.sets.empty() || d.sets.front().group.meshes.empty()) return std::nullopt;
   return d.geometry.distance[d.sets.front().group.meshes.front()];
 }
 
-// These functions convert the motion of a body, which is stored in rad, to the rotation of a
-// turning body or to the travel of a rack in mm. `lever` is described in DriveError.
+// These functions convert the motion of a body, which is stored in rad. rotation() returns the
+// rotation of a turning body, and travel() returns the travel of a rack in mm. DriveError describes
+// `lever`.
 std::optional<Angle> rotation(double motion, const std::optional<double>& lever) {
   return lever ? std::nullopt : std::optional(Angle::radians(motion));
 }

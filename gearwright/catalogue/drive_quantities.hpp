@@ -10,8 +10,7 @@
 namespace gearwright {
 
 const Quantities<Drive>& drive_quantities();
-/// The centre distance and the profile shifts, which the record of a drive contains under
-/// `coaxial`.
+/// The centre distance and the profile shifts. The record of a drive contains them under `coaxial`.
 const Quantities<Drive>& coaxial_quantities();
 
 struct DriveBodyView {
@@ -24,8 +23,8 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
-/// A harmonic of the transmission error. `lever` is DriveError::lever: the travel of the rack, in
-/// mm, for a motion of 1 rad.
+/// A harmonic of the transmission error. `lever` is DriveError::lever, the travel of the rack in mm
+/// for a motion of 1 rad.
 struct DriveErrorLine {
   const DriveError::Line* line;
   std::optional<double> lever;
@@ -38,27 +37,27 @@ std::vector<DriveErrorLine> error_lines(const DriveError& error);
 /// Domain a drive with Drive::loaded (contract)
 const Quantities<Drive>& drive_load_quantities();
 
-/// A planetary set of a drive, with the share of the load that each of its planets carries.
+/// A planetary set of a drive, with the load share of each planet.
 struct PlanetSharesView {
   const Drive* drive;
   const PlanetShares* shares;
 };
 const Quantities<PlanetSharesView>& planet_share_quantities();
 
-/// The greatest mesh load factor K_γ of the planets under load. There is no value without planets
-/// or without a load.
+/// Returns the greatest mesh load factor K_γ of the planets under load. Returns none without
+/// planets or without a load.
 std::optional<double> mesh_load_factor(const Drive& drive);
-/// The mesh load factor K_γ with which the planet meshes are rated. There is no value without a
+/// Returns the mesh load factor K_γ with which the planet meshes are rated. Returns none without a
 /// rating.
 std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
-/// [p, q] in lowest terms, or null if one of the two numbers has more than 63 bits.
+/// Returns [p, q] in lowest terms, or null if one of the numbers has more than 63 bits.
 Value exact_fraction(const Rational& r);
-/// Phases in periods, or null if there are none.
+/// Returns phases in periods, or null if there are none.
 Value phase_list(const std::vector<Rational>& phases);
 
-/// The rating of a mesh, with the same quantities as for a pair. A mesh without power has no
-/// rating.
+/// Returns the rating of a mesh, with the quantities of the rating of a pair. A mesh without power
+/// has no rating.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 
 const Quantities<PlanetSet>& assembly_quantities();
@@ -73,8 +72,8 @@ struct DriveSearchView {
   const DriveSearchProblem* problem;
   const DriveSearchResult* result;
   const DriveDesigns* designs;
-  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and its
-                                              ///< spec gives none
+  std::optional<double> default_face_load{};  ///< the default K_Hβ; only if the search is rated and
+                                              ///< its spec gives no K_Hβ
 };
 const Quantities<DriveSearchView>& drive_search_quantities();
 

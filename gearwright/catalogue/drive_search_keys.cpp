@@ -25,8 +25,8 @@ Key teeth(std::string_view key, SetMember member, std::string_view fallback,
               meaning);
 }
 
-// A key of [planetary] that is allowed in [search]. It applies to every set of the search, and it
-// is read in the same way as in [planetary].
+// Returns a key of [planetary] that is also allowed in [search]. It applies to every set of the
+// search and is read as in [planetary].
 Key of_set(std::string_view key, std::string_view fallback = {}) {
   Key k = *planetary_keys().find(key);
   if (k.place) k.place = k.place.inside(&Problem::base);
@@ -34,7 +34,7 @@ Key of_set(std::string_view key, std::string_view fallback = {}) {
   return k;
 }
 
-// Like objective_called(), but only for objectives of searches for drives.
+// Works like objective_called(), but returns only objectives of searches for drives.
 std::string_view drive_objective_called(std::string_view word) {
   const std::string_view objective = objective_called(word);
   const auto& names = kDriveObjectiveNames;

@@ -10,7 +10,7 @@ namespace {
 
 using F = FoundDrive;
 
-// The value with this key in the result of the verb `drive`.
+// Returns the value that the result of the verb `drive` has for this key.
 Value of_drive(const F& f, std::string_view key,
                const Quantities<Drive>& quantities = drive_quantities()) {
   for (const Quantity& q : quantities.list())
@@ -25,7 +25,7 @@ Value of_set(const F& f, const Quantities<PlanetSet>& quantities, std::string_vi
   return {};
 }
 
-// If the search has no module, the drive has no teeth.
+// True if the search has a module. Without a module, the drive has no teeth.
 bool has_module(const F& f) { return f.drive.geometry.gears.front().has_value(); }
 
 Value teeth_of(const F& f) {

@@ -13,8 +13,8 @@ using Gears = std::array<const Gear*, 2>;
 constexpr double kMaxTilt = 10;     // degrees; a larger angle is not a misalignment
 constexpr double kMaxSlope = 5000;  // µm over the face width
 
-// Sets the additional twist κ of the teeth so that the slope over the face width on the
-// reference cylinder is f_Hβ.
+// Sets the additional twist κ of the teeth. κ is chosen so that the helix slope deviation over the
+// face width, on the reference cylinder, is f_Hβ.
 void set_helix_slope(ContactErrors& e, const Gears& gears, std::size_t i, double slope_um) {
   const Gear& gear = *gears[i];
   e.helix_twist[i] = slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);

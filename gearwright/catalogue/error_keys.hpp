@@ -1,5 +1,5 @@
-// The table of the eight errors of mounting and cutting. An entry has the key, the symbol, the
-// words and the member of ContactErrors. The keys of [errors] are made from this table.
+// The table of the eight errors of mounting and cutting. An entry has a key, a symbol, words and a
+// member of ContactErrors. The keys of [errors] are made from this table.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,21 @@ namespace gearwright {
 
 constexpr std::size_t kErrorCount = 8;
 
-/// An error. Its sign and the order of all errors are described in docs/spec.md, [errors].
+/// An error. docs/spec.md, [errors], describes the signs and the order of all errors.
 struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
   std::string_view words;         ///< "out-of-plane shaft deviation"
-  std::optional<ErrorKind> kind;  ///< kind of derivative; empty if contact computes no derivative
+  std::optional<ErrorKind> kind;  ///< kind of derivative; empty if the contact analysis has no
+                                  ///< derivative for this error
   int gear;                       ///< 1 or 2 for an error of a gear, 0 for an error of mounting
   /// Sets the error to a value in the unit of the key.
   void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);
   std::string_view meaning;
 
   std::string_view unit() const { return key_unit(key); }  ///< "deg"
-  double si() const;                                       ///< the unit of the key, in rad or mm
+  double si() const;                                       ///< the unit of the key, expressed in
+                                                           ///< rad or mm
   /// The key without its unit, for example "crossing" for crossing_deg.
   std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }
   bool of_cutter() const { return gear != 0 && unit() == "deg"; }
@@ -37,7 +39,7 @@ struct ErrorEntry {
 };
 
 const std::array<ErrorEntry, kErrorCount>& error_entries();
-/// The index of a key in error_entries, or nothing if there is no such error.
+/// Returns the index of a key in error_entries, or none if there is no such error.
 std::optional<std::size_t> error_index(std::string_view key);
 
 /// [errors]: a value for each entry of error_entries, in the unit of its key.
@@ -48,8 +50,8 @@ struct ErrorsInput {
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }
-  /// All errors for these gears. If gear 2 is a rack, the caller passes the pinion in its
-  /// place.
+  /// Returns all errors for these gears. If gear 2 is a rack, the caller passes the pinion as gear
+  /// 2.
   ContactErrors of(const std::array<const Gear*, 2>& gears) const;
 };
 
@@ -76,7 +78,8 @@ struct ContactInput {
   double marking = 0.00635;  ///< thickness of the marking compound, mm
   int driver = 1;
   bool pattern = false;          ///< true if the result includes the raster of both flanks
-  std::vector<Angle> rotations;  ///< rotations of gear 1; they replace the equally spaced positions
+  std::vector<Angle> rotations;  ///< rotations of gear 1; if given, they replace the equally spaced
+                                 ///< positions
   std::optional<ContactMapInput> map;
 };
 

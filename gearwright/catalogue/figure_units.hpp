@@ -12,7 +12,7 @@
 namespace gearwright {
 
 /// Converts values whose unit is given as text. The text begins with a unit of the catalogue or
-/// with its square ("mm²"). A comma and words may follow.
+/// with the square of such a unit ("mm²"). A comma and words may follow.
 class TextUnit {
  public:
   TextUnit(UnitSystem units, std::string_view unit);
@@ -25,11 +25,10 @@ class TextUnit {
   UnitSystem units_;
   Unit unit_ = Unit::none;
   int power_ = 1;
-  std::string rest_;  ///< text after the unit, or the whole text if the unit is the same in both
-                      ///< systems
+  std::string rest_;  ///< text after the unit; the whole text if the unit does not change
 };
 
-/// The figure with all lengths in this system: points, axes, grid, and lengths in texts.
+/// Returns the figure with all lengths in this system: points, axes, grid, and lengths in texts.
 ///
 /// Laws      (1) the picture of a plane figure differs only in its texts
 ///           (2) units without a length, such as ° and N/mm², are unchanged

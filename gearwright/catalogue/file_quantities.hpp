@@ -1,4 +1,4 @@
-// The quantities of files and outlines. A result of `run` or `export` contains `files`, and a
+// The quantities of files and outlines. The results of `run` and `export` contain `files`, and the
 // result of `outline` contains `arcs`.
 #pragma once
 

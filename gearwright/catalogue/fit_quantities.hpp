@@ -1,4 +1,4 @@
-// The quantities of two verbs, `fit` and `identify`, which complete a spec whose gears are not
+// The quantities of the verbs `fit` and `identify`. Both verbs complete a spec whose gears are not
 // fully described. A result of `fit` contains its quantities under `fit`.
 #pragma once
 
@@ -15,8 +15,8 @@ struct BranchView {
   FitBranch branch;
   Value spec;                                        ///< the whole spec of this branch
   std::optional<double> transverse_contact_ratio{};  ///< only for a design with few teeth
-  /// The reason why the verb `pair` rejects `spec`, if it does. A conjugate line of action does not
-  /// guarantee that the teeth are possible.
+  /// The reason why the verb `pair` rejects `spec`; none if `pair` accepts it. Teeth may be
+  /// impossible even if their line of action is conjugate.
   std::optional<std::string> refused{};
 };
 const Quantities<BranchView>& branch_quantities();

@@ -10,8 +10,8 @@ namespace {
 
 double flank_degrees(double rad) { return Angle::radians(rad).deg(); }
 
-// Adds the quantities of one end of the active flank: the point at the root or at the tip at
-// which contact with the mating gear ends.
+// Adds the quantities of one end of the active flank. Contact with the mating gear ends at this
+// point, at the root or at the tip.
 void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;

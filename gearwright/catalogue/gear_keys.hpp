@@ -25,9 +25,9 @@ struct BasicInput {
 };
 
 const KeyTable& gear_keys();
-/// The keys of [gearN.cut_by]: the keys of a gear without the keys of flanks and cutters.
+/// The keys of [gearN.cut_by]. These are the keys of a gear, except those of flanks and cutters.
 const KeyTable& cutter_keys();
-/// The keys of [gearN] in a spec with [search]. They are the values that the search does not
+/// The keys of [gearN] in a spec with [search]. Their values are those that the search does not
 /// determine.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
@@ -58,7 +58,8 @@ const KeyTable& rack_arc_keys();         ///< the keys of each table in `arcs`
 // [gearN.tolerance], and the readings of an unknown gear in [gearN.measured].
 
 inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
-/// One number or two limits. If limits are given, the teeth are computed with their mean.
+/// The value is one number, or two limits. If the spec gives limits, the teeth are computed with
+/// their mean.
 inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
 
 const KeyTable& measure_keys();
@@ -70,7 +71,8 @@ inline constexpr std::size_t kMostBallReadings = 20;
 const KeyTable& measured_keys();
 /// The keys of one entry of over_balls_mm.
 const KeyTable& measured_ball_keys();
-/// The keys for known data of an unknown gear, that is, of a [gearN] with readings but no module.
+/// The keys for the known data of an unknown gear. An unknown gear is a [gearN] with readings but
+/// no module.
 const KeyTable& unknown_gear_keys();
 
 const KeyTable& pair_keys();
@@ -78,7 +80,7 @@ const KeyTable& pair_keys();
 /// The keys of [gear2] if gear 2 is a rack.
 const KeyTable& rack_bar_keys();
 
-/// The keys of [fit], which are the inputs of the verb `fit` in addition to the gears and the pair.
+/// The keys of [fit]. The verb `fit` has these inputs in addition to the gears and the pair.
 struct FitInput {
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the requested designs
   bool few_teeth = false;  ///< true for a pinion with circular fillets and the wheel that it cuts
@@ -90,12 +92,12 @@ struct FitInput {
 const KeyTable& fit_keys();
 
 // The table of the flank modifications with their words, symbols and keys. The keys of
-// [gearN.modifications] are made from it.
+// [gearN.modifications] are made from this table.
 //
 // A key without a prefix applies to both flanks. A key with the prefix right_ or left_ applies to
-// one flank and takes precedence.
+// one flank and takes precedence over the key without a prefix.
 
-/// A modification. If its name is "tip_relief", for example, the key of its amount is
+/// A modification. For example, if its name is "tip_relief", the key of its amount is
 /// tip_relief_um.
 struct ModificationEntry : ModificationMember {
   std::string_view symbol;       ///< C_αa
@@ -119,8 +121,8 @@ struct FlanksInput {
 };
 
 const KeyTable& modification_keys();
-/// The key that applies to a flank: the key with the prefix of the flank, or the key for both
-/// flanks.
+/// Returns the key that applies to a flank. This is the key with the prefix of the flank, or else
+/// the key for both flanks.
 std::string key_of_flank(const KeyGiven& given, std::size_t flank, const std::string& key);
 
 }  // namespace gearwright

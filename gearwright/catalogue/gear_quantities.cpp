@@ -57,7 +57,7 @@ bool is_undercut(const Gear& g) {
   return teeth && teeth->undercut_l.value_or(0.0) > 0.0;
 }
 
-// A getter for an angle of the reference geometry, which contains angles in rad.
+// Returns a getter for an angle of the reference geometry, whose angles are in rad.
 auto angle(double Reference::*rad) {
   return [rad](const Reference& r) { return Angle::radians(r.*rad); };
 }

@@ -27,11 +27,12 @@ constexpr const char* kBody = "Bore (for an internal gear, the rim)";
 
 const Quantities<Gear>& gear_quantities();
 
-/// A warning states a fact about a gear or a pair that is not an error.
+/// The quantities of a warning. A warning states a fact about a gear or a pair that is not an
+/// error.
 const Quantities<Warning>& warning_quantities();
 
-/// The quantities of a gear. For a double-helical gear, `gear` is one half, but the record has the
-/// whole face width.
+/// Returns the quantities of a gear. For a double-helical gear, `gear` is one half, but the face
+/// width in the record is that of the whole gear.
 ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves);
 
 const Quantities<Halves>& double_helical_quantities();
@@ -53,7 +54,7 @@ const Quantities<RackPair>& rack_pair_quantities();
 
 const Quantities<GearMeasures>& measure_quantities();
 
-/// Data of a rack that would cut the same teeth.
+/// The data of another rack that would cut the same teeth.
 const Quantities<ReferenceInput<double>>& as_rack_quantities();
 
 // Data of a flank for a measuring machine: roll lengths, evaluation ranges and tolerances. The

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 std::string inch(const std::string& key) { return key_in(UnitSystem::inch, key); }
 
 // Converts the limits in the schema of a length to inches. The description is removed, because it
-// describes the property in mm.
+// gives the property in mm.
 void convert_limits(Json& schema, const KeyUnit& unit) {
   if (!schema.is_structured()) return;
   if (schema.is_object()) {
@@ -27,8 +27,8 @@ void convert_limits(Json& schema, const KeyUnit& unit) {
   for (Json& inner : schema) convert_limits(inner, unit);
 }
 
-// Replaces a list of required keys by conditions that accept each key under either of its two
-// names.
+// Replaces a list of required keys by conditions. Each condition accepts a key under its metric
+// name or under its inch name.
 void accept_either(Json& schema, const Json& keys, const char* plain_name) {
   Json plain = Json::array();
   for (const Json& key : keys) {
@@ -65,8 +65,8 @@ void add_words(Json& words) {
       words.push_back(inch(word.get<std::string>()));
 }
 
-// Adds conditions for the keys that each key needs. For example, tip_relief_um may need
-// tip_relief_start_mm. Every needed key may be given under its metric or its inch name.
+// Adds conditions for keys that need other keys. For example, tip_relief_um may need
+// tip_relief_start_mm. The other key may have its metric name or its inch name.
 void add_needs(Json& schema, const Json& needs) {
   for (const auto& [key, keys] : needs.items()) {
     Json required = Json::object();
@@ -76,9 +76,9 @@ void add_needs(Json& schema, const Json& needs) {
   }
 }
 
-// The schema of tables, at any depth, without keys in the other unit system. `other` is a pattern
-// for the endings of such keys. A key that matches `other` is accepted only if it also matches
-// `both`, the pattern for keys that have the same name in both systems.
+// Returns a schema that rejects keys of the other unit system in tables at any depth. `other` is a
+// pattern for the endings of such keys. A key that matches `other` is accepted only if it also
+// matches `both`, the pattern for keys with the same name in both systems.
 Json without_names(const char* other, const char* both, const char* self) {
   const Json again{{"$ref", self}};
   const Json name{{"anyOf", {{{"not", {{"pattern", other}}}}, {{"pattern", both}}}}};

@@ -6,12 +6,12 @@
 
 namespace gearwright {
 
-/// For each property that is a length, adds a property with the inch name and with the limits in
-/// inch. If the property is required, either of the two names is sufficient.
+/// Adds, for each property that is a length, a property with the inch name and with the limits in
+/// inch. If the property is required, one of the two names is sufficient.
 void add_inch_names(nlohmann::ordered_json& schema);
 
-/// Adds a rule to the schema of specs. The names of all lengths of a spec must agree with its
-/// `units`.
+/// Adds a rule to the schema of specs. According to this rule, the names of all lengths of a spec
+/// must agree with the `units` of the spec.
 void separate_units(nlohmann::ordered_json& schema);
 
 }  // namespace gearwright

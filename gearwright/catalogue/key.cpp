@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The units at the end of keys. The names of members do not contain units.
+// The units at the end of keys. The names of struct members do not contain units.
 constexpr std::array<std::string_view, 6> kUnitEndings{"mm",     "deg",    "um",
                                                        "per_in", "arcsec", "rpm"};
 constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
@@ -217,7 +217,7 @@ std::string plain_words(std::string_view meaning) {
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
-  constexpr std::size_t kLeastPart = 3;   // least length of a word that is searched inside another
+  constexpr std::size_t kLeastPart = 3;   // least length of a word that may be a part of another
                                           // word
   const auto small = [](std::string_view text) {
     std::string letters(text.substr(0, 80));

@@ -1,12 +1,13 @@
-// The catalogue of inputs. It contains the only description of each key of a spec.
+// The catalogue of inputs. Each key of a spec is described only here.
 //
 //   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs
 //              or excludes, one sentence of meaning, and the member of an input struct that it sets
 //   KeyTable   the keys of one table of a spec, and a rule that relates several keys
 //   KeyPlace   the member in which the value of a key is stored (key_place.hpp)
 //
-// The reader, the suggestions for unknown keys, the tables of docs/spec.md and the JSON Schema of
-// specs use the catalogue. A new key is one entry in one of the *_keys.cpp files.
+// Several parts of the program use the catalogue: the reader, the suggestions for unknown keys, the
+// tables of docs/spec.md, and the JSON Schema of specs. A new key is one entry in one of the
+// *_keys.cpp files.
 #pragma once
 
 #include <limits>
@@ -50,7 +51,7 @@ struct KeyRange {
     return (lo_open ? x > lo : x >= lo) && (hi_open ? x < hi : x <= hi) && (zero || x != 0.0);
   }
   bool limited() const;
-  /// The error for `value`, for example "must lie between 1 and 60, usually 14.5 to 30".
+  /// Returns the error for `value`, for example "must lie between 1 and 60, usually 14.5 to 30".
   ///
   /// Domain    limited() (contract)
   std::string sentence(double value) const;
@@ -59,8 +60,8 @@ struct KeyRange {
 /// The order of the numbers in a list. If `sentence` is empty, any order is allowed.
 struct ListOrder {
   bool strict = false;          ///< true if no number may be repeated
-  std::string_view sentence{};  ///< message for a list in another order; its {} are the first and
-                                ///< the last number
+  std::string_view sentence{};  ///< message for a list in another order; each {} stands for the
+                                ///< first or the last number
 };
 
 inline constexpr ListOrder kLowerFirst{false, "must be two numbers in rising order"};
@@ -73,37 +74,38 @@ struct KeyList {
   /// Returns the word of which `word` is a synonym, or "" if it is not a synonym.
   std::string_view (*meant)(std::string_view word) = nullptr;
   std::string_view must{};  ///< requirement on the value, for the errors about this list; if empty,
-                            ///< the errors use form_of()
-  int first = 1;            ///< number that a path uses for the first element
+                            ///< form_of() gives it
+  int first = 1;            ///< number of the first element in paths
   bool numbers = false;     ///< for a key of a table or of numbers by name: true if a list of
                             ///< numbers is also allowed
-  /// The numbers of the series with the name `word`, for example the modules of "ISO54-I". The
-  /// result is empty if there is no such series.
+  /// Returns the numbers of the series with the name `word`, for example the modules of "ISO54-I".
+  /// Returns an empty list if there is no such series.
   std::vector<double> (*series)(std::string_view word) = nullptr;
 };
 
-/// A key by which the value of the key `of` can be given in another unit or in another section.
+/// A key that sets the value of the key `of`, but in another unit or in another section.
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< converts to the unit of `of`
-  bool transverse = false;  ///< true for a value in the transverse section, whose conversion
-                            ///< depends on the helix angle
+  bool transverse = false;  ///< true if the value belongs to the transverse section; the conversion
+                            ///< then depends on the helix angle
 };
 
 struct KeyTable;
 
-/// The text in place of a default if the key is required.
+/// The text in place of a default for a required key.
 inline constexpr std::string_view kRequired = "required";
 
-/// One key of a table. Most keys are made by one of the functions below and completed by with_…().
+/// One key of a table. Most keys are made by one of the functions below and completed by the
+/// functions with_…().
 struct Key {
   using Words = std::vector<std::string_view>;
 
   std::string_view key;       ///< name in the file, "helix_angle_deg"
   std::string_view symbol{};  ///< symbol of ISO 21771, "β"
   KeyKind kind = KeyKind::number;
-  Words words{};  ///< the permitted words; if the kind is not `word`, words that are also
-                  ///< permitted
+  Words words{};  ///< the permitted words; if the kind is not `word`, words that are permitted in
+                  ///< addition
   KeyRange range{};
   std::optional<KeyList> list{};
   std::string
@@ -113,21 +115,21 @@ struct Key {
   bool required = false;
   Words needs{};                    ///< keys that must also be given
   Words excludes{};                 ///< keys that must not also be given
-  std::string_view excludes_why{};  ///< the rule that `excludes` violates; empty if one of the keys
-                                    ///< must be chosen
+  std::string_view excludes_why{};  ///< the rule behind `excludes`; empty if the user must choose
+                                    ///< one of the keys
   /// The possible tables, distinguished by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
   std::string_view fallback{};  ///< the default, written as in the file or described in words
   bool in_documents = true;     ///< false if the text of the documents already describes the key
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
-  /// The names that errors of the engine use for the members that this key sets. The default is the
-  /// name of the key without its unit, for example "helix_angle" for helix_angle_deg.
+  /// The names of the members that this key sets, as used in errors of the engine. The default is
+  /// the name of the key without its unit, for example "helix_angle" for helix_angle_deg.
   std::vector<std::string> fields{};
   Words also{};  ///< other names that users may try: "module", "dp"
   KeyAlias alias{};
 
-  /// A key for a number or for numbers by name. If its KeyPlace is a member of type int, the number
-  /// must be a whole number.
+  /// Makes a key for a number or for numbers by name. If the KeyPlace is a member of type int, the
+  /// value must be a whole number.
   static Key number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
                     std::string_view fallback, std::string_view meaning);
   static Key positive(std::string_view key, std::string_view symbol, KeyPlace place,
@@ -140,8 +142,8 @@ struct Key {
                   std::string_view meaning);
   static Key text(std::string_view key, KeyPlace place, std::string_view fallback,
                   std::string_view meaning);
-  /// A table inside this table, such as bore in [gear1.bore]. It has its own heading in the
-  /// documents.
+  /// Makes a key for a table inside this table, such as bore in [gear1.bore]. The inner table has
+  /// its own heading in the documents.
   static Key part(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
                   std::string_view meaning);
 
@@ -179,8 +181,8 @@ struct Key {
     return std::move(*this);
   }
 
-  /// Returns `fields` if it is not empty. Otherwise returns the name of the key without its
-  /// unit; for an alias, this is the name of the key for which it stands.
+  /// Returns `fields` if it is not empty. Otherwise returns the name of the key without its unit.
+  /// For an alias, this is the name of the key `of` of the alias.
   std::vector<std::string> members() const;
 };
 
@@ -189,52 +191,53 @@ struct KeyTable {
   std::string_view name;     ///< name in documents and in the schema: "pair", "rack_circular_arc"
   std::string_view meaning;  ///< one sentence
   std::vector<Key> keys;
-  KeyRule rule{};  ///< checks the values after reading; "needs" and "excludes" are checked for each
-                   ///< key
-  /// The key that is set if a spec gives a text or a list of numbers in place of the table, for
-  /// example material = "16MnCr5". The member is empty if the table has no such key.
+  KeyRule rule{};  ///< checks the values after reading; `needs` and `excludes` are checked
+                   ///< separately for each key
+  /// A spec may give a text or a list of numbers in place of the table, for example material =
+  /// "16MnCr5". The text or list then sets this key. It is empty if the table has no such key.
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
-  /// only() returns a table with only these keys, in this order, and without() a table with all
-  /// keys except these.
+  /// only() returns a table with only these keys, in this order. without() returns a table without
+  /// these keys.
   KeyTable only(const std::vector<std::string_view>& kept) const;
   KeyTable without(const std::vector<std::string_view>& left_out) const;
   std::vector<std::string> names() const;
-  /// The key and its aliases. A spec can give the value by any one of these keys.
+  /// Returns the key and its aliases. A spec can give the value by any one of these keys.
   std::vector<std::string> ways(std::string_view key) const;
 };
 
-/// The unit at the end of a key, without the underscore, for example "mm". The result is empty if
-/// the key has no unit.
+/// Returns the unit at the end of a key, without the underscore, for example "mm". Returns an empty
+/// text if the key has no unit.
 std::string_view key_unit(std::string_view key);
 
-/// The permitted values as part of a sentence, for example "a number". The result is Key::form if
-/// the key has one.
+/// Returns the permitted values as part of a sentence, for example "a number". If the key has a
+/// Key::form, the function returns this form.
 std::string form_of(const Key& key);
 
-/// A meaning as plain text, without backticks and without numbers of equations.
+/// Returns a meaning as plain text, without backticks and without numbers of equations.
 std::string plain_words(std::string_view meaning);
 
-/// The least number of changes that turn one word into the other. A change inserts, deletes or
-/// replaces a letter, or exchanges two neighbouring letters. No letter is changed twice.
+/// Returns the least number of changes that turn one word into the other. A change inserts, deletes
+/// or replaces a letter, or exchanges two neighbouring letters. No letter is changed twice.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known word that an unknown word probably means: at most one letter in three differs, or one
-/// of the words is a part of the other. Case is ignored. The result is empty if no word is similar.
+/// Returns the known word that the user probably meant by an unknown word. At most one letter in
+/// three may differ, or one of the words must be a part of the other. Case is ignored. Returns an
+/// empty text if no word is similar.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-/// The end of a message about an unknown word, for example "; did you mean mass?". The end is empty
-/// if no known word is similar.
+/// Returns the end of a message about an unknown word, for example "; did you mean mass?". Returns
+/// an empty text if no known word is similar.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
-/// The rule for a value that must be one of the known words, for example
-/// "must be one of "right", "left"; did you mean left?".
+/// Returns the rule for a value that must be one of the known words, for example "must be one of
+/// "right", "left"; did you mean left?".
 std::string one_of_rule(const std::string& word, const std::vector<std::string>& known);
 
-/// A suggestion for an unknown word, followed by the known words, for example
-/// "did you mean mass? Known are …". `meant` is the word that the user means, or empty if the
-/// caller does not know this word.
+/// Returns a suggestion for an unknown word, followed by the known words, for example "did you mean
+/// mass? Known are …". `meant` is the word that the user means. It is empty if the caller does not
+/// know this word.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

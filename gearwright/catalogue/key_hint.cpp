@@ -44,7 +44,7 @@ std::string_view without_unit(std::string_view key) {
   return unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1);
 }
 
-// The name of a key in the form for comparison, with and without its unit.
+// The name of a key in the form for comparison, both with its unit and without its unit.
 struct Word {
   std::string whole, bare;
 };
@@ -53,8 +53,8 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
-// Compares a word with a key. The result is 3 if the word is the name of the key, 2 if it is
-// another name of the key (Key::also), 1 if it is the symbol of the key, and otherwise 0.
+// Compares a word with a key. Returns 3 if the word is the name of the key, 2 if it is another name
+// of the key (Key::also), 1 if it is the symbol of the key, and 0 otherwise.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -66,10 +66,10 @@ int likeness(const Key& key, const Word& word) {
   return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
 }
 
-// The least result of likeness() with which called() accepts a key.
+// The least values of likeness() that called() can require.
 enum Sure { by_symbol = 1, by_word = 2 };
 
-// The first key with the least cost, or null if every cost is `below` or more.
+// Returns the first key with the least cost, or null if no cost is less than `below`.
 template <class F>
 const Key* cheapest(const KeyTable& table, double below, F cost) {
   const Key* best = nullptr;
@@ -97,7 +97,7 @@ struct Place {
   std::string path;
 };
 
-// The tables below `top`, ordered by depth.
+// Returns the tables below `top`, ordered by depth.
 std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   std::vector<Place> list{{&top, std::string(path)}};
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -114,7 +114,7 @@ std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   return list;
 }
 
-// True if the units are of the same kind, such as lengths or angles, or if a unit is empty.
+// True if both units are of the same kind, such as length or angle, or if a unit is empty.
 bool of_one_kind(std::string_view a, std::string_view b) {
   const auto kind = [](std::string_view unit) {
     if (unit == "mm" || unit == "um" || unit == "in") return std::string_view("length");
@@ -124,11 +124,11 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// Searches first the tables inside `table` and then all other tables for a key that is called
-// `word`. An example of the result is "diameter_mm in [gear1.bore]".
+// Searches for a key that is called `word`, first in the tables inside `table` and then in all
+// other tables. An example of the result is "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  // The result names the table of the key only if `table` itself has no key of this name.
+  // If `table` itself has a key of this name, the result does not name the other table.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };
@@ -141,8 +141,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   // The table `own`, which contains this table, is searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
-  // The short forms of drives and the table [search] repeat the words of the gears and the
-  // pair, so they are searched after all other tables, with [search] as the last one.
+  // The short forms of drives and the table [search] use the words of the gears and the pair again.
+  // They are therefore searched after all other tables, and [search] is the last one.
   for (const std::string_view repeats : {"planetary", "stage", "search"})
     std::stable_partition(all.begin(), all.end(),
                           [&](const Place& p) { return !p.path.starts_with(repeats); });
@@ -157,8 +157,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// Returns the key whose name contains the word or is contained in it. If there are several such
-// keys, the one with the fewest additional letters is returned.
+// Returns the key whose name contains the word or is a part of the word. If there are several such
+// keys, the function returns the one with the fewest additional letters.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
@@ -169,8 +169,8 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   });
 }
 
-// Returns the key that has the greatest share of words in common with the name, if this share
-// exceeds kLikeWords. An example is tip_relief_start_mm for the name tip_relief_begin_mm.
+// Returns the key that shares the greatest fraction of its words with the name, if this fraction
+// exceeds kLikeWords. For example, it returns tip_relief_start_mm for the name tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = split(name, '_');
   return cheapest(table, -kLikeWords, [&](const Key& key) {
@@ -230,8 +230,8 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   const auto nearest = [](std::string_view what) { return fmt::format("did you mean {}?", what); };
   if (word.bare.empty()) return "the known keys of this table are " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
-    // If the similar key is a table, and a key inside this table is also similar, the key inside
-    // the table is suggested.
+    // If the similar key is a table, a key inside this table may also be similar. In this case, the
+    // function suggests the key inside the table.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))

@@ -1,13 +1,17 @@
-// The member of an input struct in which the value of a key is stored. A KeyPlace refers to such a
-// member independently of the type of the struct.
+// Describes the member of an input struct in which the value of a key is stored. The type KeyPlace
+// does not depend on the type of the struct.
 //
 //   KeyTarget   an input struct, whose type is checked at every use
 //   KeyPlace    the way in which a value is stored in the struct
 //   KeyRule     relations between the members of the struct
 //
-// The type of a member determines the kind of its key: degrees become an Angle, the index of a word
-// in its list becomes an enumerator, a list becomes a vector or an array of two, numbers by name
-// become the numbers of the members of a set, and a sub-table becomes a struct.
+// The type of a member determines the kind of its key:
+//
+//   an Angle                                degrees
+//   an enumerator                           a word, by its index in the list of words
+//   a vector, or an array of two            a list
+//   the numbers of the members of a set     numbers by name
+//   a struct                                a sub-table
 #pragma once
 
 #include <array>
@@ -29,14 +33,14 @@ namespace gearwright {
 /// Numbers by name, for example { sun = 10, planet = -10 }.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-/// A value as a file gives it, in the order of the types: a number; a whole number, or the index of
+/// A value as a file gives it. The types have this order: a number; a whole number, or the index of
 /// a word in its list; a flag; a text; a list of numbers; a list of words; a list of texts; numbers
 /// by name.
 using KeyValue = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>,
                               std::vector<std::string>, NamedNumbers>;
 
-/// A type that stores one number for all names, for example for all gears of a set, and separate
-/// numbers for single names.
+/// A type that stores one number for all names and separate numbers for single names. The names
+/// are, for example, those of the gears of a set.
 template <class V>
 concept ByName = requires(V value, const std::string& name) {
   value.all;
@@ -57,7 +61,7 @@ enum class KeyKind {
 
 class KeyTarget {
  public:
-  /// Implicit, so that a reference to any input struct can be passed.
+  /// This constructor is implicit, so that a reference to any input struct can be passed.
   template <class T>
   requires(!std::is_same_v<T, KeyTarget>)
       KeyTarget(T& input)  // NOLINT(google-explicit-constructor)
@@ -81,7 +85,7 @@ class KeyTarget {
 class KeyPlace {
  public:
   KeyPlace() = default;  ///< for a key that the reader handles
-  /// Implicit, so that a table entry can be the bare member pointer.
+  /// This constructor is implicit, so that an entry of a table can be the member pointer itself.
   template <class T, class V>
   KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor)
       : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
@@ -91,29 +95,30 @@ class KeyPlace {
   /// A member that a function returns: within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Members that a function set(T&, const V&) computes and sets. The function may return the
-  /// reason for an error.
+  /// Makes a place whose members the function set(T&, const V&) computes and sets. The function may
+  /// return the reason for an error.
   template <class T, class V, class F>
   static KeyPlace by(F set);
-  /// A place for one number, or for two numbers and their mean. mean(T&) is a double, and ends(T&)
-  /// is an optional array of two.
+  /// Makes a place for one number, or for two numbers and their mean. mean(T&) returns a double,
+  /// and ends(T&) returns an optional array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
-  /// A place for two numbers, or for a table whose member `ends` contains the two numbers.
+  /// Makes a place for two numbers, or for a table whose member `ends` contains the two numbers.
   template <class T, class S, class F>
   static KeyPlace ends_or_table(std::array<double, 2> S::*ends, F reach);
-  /// A KeyPlace for a value that is checked but not stored.
+  /// Makes a place for a value that is checked but not stored.
   static KeyPlace unused();
-  /// The same place if the struct is itself the member `outer` of another struct.
+  /// Returns the same place for a struct that is itself the member `outer` of another struct.
   template <class T, class M>
   KeyPlace inside(M T::*outer) const;
 
-  /// Returns a copy of this place that also accepts a list of two limits. The list is stored in the
+  /// Returns a copy of this place that also accepts a list of two limits and stores it in the
   /// member `ends`. All other values are stored as in this place.
   template <class T>
   KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 
-  /// The same place for a key that allows a word in place of its number. The word calls set(T&).
+  /// Returns a copy of this place that also accepts a word in place of the number. The word calls
+  /// set(T&).
   template <class T, class F>
   KeyPlace or_word(F set) const;
 
@@ -123,7 +128,7 @@ class KeyPlace {
   bool is_member() const { return same_ != nullptr; }
   /// The permitted names, if the value is a table of named numbers.
   const std::vector<std::string>& names() const { return names_; }
-  /// Stores the value. Returns a sentence with the reason if the value is impossible.
+  /// Stores the value. If the value is impossible, returns a sentence with the reason.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
   /// Returns the struct in which a sub-table is stored: a new element at the end of a list, a new
   /// struct in an optional member, or the member itself. If the struct has a member `given`, this
@@ -236,18 +241,19 @@ class KeyPlace {
   std::vector<std::string> names_;
 };
 
-/// A key whose value is impossible, with the reason, or a missing key.
+/// A fault of a key. Either its value is impossible, with the reason, or the key is missing.
 struct KeyFault {
   std::string key;
   std::string why;
-  bool missing = false;  ///< true if the key is missing; `why` then continues "is missing"
+  bool missing = false;  ///< true if the key is missing; the message is then "is missing" followed
+                         ///< by `why`
 };
 
-/// Returns true if the table that was read contains this key.
+/// A function that returns true if the table that was read contains this key.
 using KeyGiven = std::function<bool(std::string_view)>;
 
-/// The relations between the keys of a table, and members that are computed from several keys. The
-/// rule is a function of the input struct that is called after all keys have been read.
+/// Checks relations between the keys of a table, and computes members from several keys. A rule is
+/// a function of the input struct that is called after all keys have been read.
 class KeyRule {
  public:
   KeyRule() = default;

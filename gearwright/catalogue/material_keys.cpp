@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMinSteps = 2, kMaxSteps = 100;  // number of temperatures
 
-// A key for values of a plastic, one for each temperature that the material lists.
+// Makes a key for values of a plastic, one for each temperature that the material lists.
 Key by_temperature(std::string_view key, std::string_view symbol,
                    ByTemperature MaterialInput::*member, std::string_view field,
                    std::string_view meaning) {

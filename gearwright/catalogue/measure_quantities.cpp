@@ -55,7 +55,7 @@ void add_span(Quantities<Span>& q) {
 
 const Quantities<Span>& span_quantities() { return define<add_span>("measure.span"); }
 
-// Adds the position of a ball or pin. Its rows come after the dimension over the balls or pins.
+// Adds the position of a ball or pin. Its rows follow the dimension over the balls or pins.
 template <class V, class Seat>
 void add_seat(Quantities<V>& q, const Seat& seat) {
   q.term("center_diameter_mm", "[T10.6]", [seat](const V& v) { return seat(v).center_diameter; });

@@ -10,14 +10,15 @@ namespace gearwright {
 
 namespace {
 
-// Stores a composed text for the lifetime of the program, because keys contain only views.
+// Stores a composed text for the lifetime of the program, because keys contain only views of texts.
 std::string_view kept(std::string text) {
   static std::deque<std::string> texts;
   return texts.emplace_back(std::move(text));
 }
 
-// Adds one key for both flanks and one key for each flank. The keys of one flank are read later, so
-// that they take precedence. set(FlanksInput&, flank, const V&) sets the value of one flank.
+// Adds one key for both flanks and one key for each flank. The keys of one flank come later, so
+// they replace the value of the key for both flanks. set(FlanksInput&, flank, const V&) sets the
+// value of one flank.
 template <class V, class Set>
 void add(std::vector<Key>& keys, Key key, Set set) {
   const std::string name(key.key);
@@ -38,8 +39,8 @@ void add(std::vector<Key>& keys, Key key, Set set) {
   }
 }
 
-// The error if a spec gives a key that has no effect on either flank. `amount` is the key of the
-// amount of the relief to which `key` belongs, or empty if `key` belongs to no relief.
+// Returns an error if a spec gives a key that has no effect on either flank. `amount` is the key of
+// the amount of the relief to which `key` belongs. It is empty if `key` belongs to no relief.
 std::optional<KeyFault> unused(const KeyGiven& given, const std::string& key,
                                const std::string& amount = "") {
   const std::string right = std::string(kFlankSides[0]) + key;
@@ -71,8 +72,8 @@ std::optional<KeyFault> check_flanks(FlanksInput& input, const KeyGiven& given) 
       Relief& relief = input.flanks[flank].*m.relief;
       const std::string key = key_of_flank(given, flank, amount);
       if (!given(key)) relief = {};
-      // A missing start diameter is computed from the pair. A missing length cannot be computed, so
-      // it is an error.
+      // A missing start diameter is computed from the pair. A missing length cannot be computed and
+      // causes an error.
       if (relief.amount > 0.0 && !relief.reach && m.reach != "_start_mm")
         return KeyFault{reach, ": " + key + " needs a value for this key", true};
     }

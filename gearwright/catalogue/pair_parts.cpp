@@ -38,7 +38,7 @@ const Quantities<PathPoint>& path_point_quantities() {
   return define<add_path_point>("pair.path point");
 }
 
-// Sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
+// Returns the sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
 std::array<double, 3> sliding_at_A_C_E(const InvolutePair& p,
                                        double (*part)(double across, double along)) {
   const auto at = [&](double rho1) {
@@ -134,8 +134,8 @@ std::optional<LineView> line_between(const InvolutePair& p) {
                   {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
 }
 
-// The path of the first contact over the common face, and its mirror image for the non-working
-// flanks.
+// Returns the path of the first contact over the common face. For the non-working flanks, returns
+// the mirror image of this path.
 std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
@@ -361,7 +361,7 @@ double working_helix(const ArcPair& p, std::size_t i) {
                    g.reference_diameter);
 }
 
-// The normal angle of the rack at the first contact, converted to the transverse section.
+// Returns the normal angle of the rack at the first contact, converted to the transverse section.
 double working_transverse(const ArcPair& p, std::size_t i) {
   return std::atan(std::tan(p.first_contact().at.theta.rad()) /
                    std::cos(p.gears[i].spec.helix_angle.rad()));

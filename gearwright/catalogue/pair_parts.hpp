@@ -22,8 +22,9 @@ const Quantities<std::array<Value, 2>>& two_gears_mm();
 
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
-/// Adds the entry `specific_sliding`: a record for programs, and for users one row at A and one at
-/// E. `q` are the quantities of a pair or of a part, for which `get` returns a SlidingAtEnds.
+/// Adds the entry `specific_sliding`. Programs get a record, and users get a row for A and a row
+/// for E. `q` contains the quantities of a pair or of a part of a pair. `get` returns a
+/// SlidingAtEnds of this subject.
 template <class Q, class G>
 void add_sliding(Q& q, const char* meaning, G get) {
   q.template record<two_gears>("specific_sliding", meaning, [get](const auto& s) {
@@ -45,7 +46,7 @@ void add_sliding(Q& q, const char* meaning, G get) {
 }
 
 const Quantities<Efficiency>& efficiency_quantities();
-/// Adds the entry `efficiency`: a record for programs, and one row for users. `get` returns a
+/// Adds the entry `efficiency`. Programs get a record, and users get one row. `get` returns a
 /// pointer to the Efficiency, or null.
 template <class S>
 void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
@@ -72,8 +73,8 @@ void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
-/// The path of contact of any pair: its length, and its ends on the line of action of the leading
-/// flanks and on that of the trailing flanks.
+/// The path of contact of any pair. It has a length, and two ends on the line of action of the
+/// leading flanks and of the trailing flanks.
 struct LineView {
   double length;
   std::array<Vec3, 2> leading, trailing;
@@ -93,9 +94,9 @@ const Quantities<ParallelPair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
-/// working_helix() is the helix angle of gear i on its working pitch cylinder. working_transverse()
-/// is the transverse pressure angle on this cylinder, computed from the normal angle of the rack at
-/// the first contact. Both angles are in rad.
+/// working_helix() returns the helix angle of gear i on its working pitch cylinder, rad.
+/// working_transverse() returns the transverse pressure angle on this cylinder, rad, which follows
+/// from the normal angle of the rack at the first contact.
 double working_helix(const ArcPair& pair, std::size_t i);
 double working_transverse(const ArcPair& pair, std::size_t i);
 
@@ -108,7 +109,7 @@ struct InterferenceView {
 const Quantities<InterferenceView>& interference_quantities();
 std::vector<InterferenceView> interference_of(const Pair& pair);
 
-/// The quantities of an entry of `overlap` or of `beyond_flank`.
+/// The quantities of an entry of `overlap` or `beyond_flank`.
 const Quantities<Collision>& collision_quantities();
 
 struct ArcContactView {

@@ -24,7 +24,7 @@ bool is(const Pair& v) {
   return v.as<Kind>() != nullptr;
 }
 bool double_helical(const Pair& v) { return v.gear(1).gap.has_value(); }
-// An optional part of one kind of pair; null for a pair without this part.
+// Returns an optional part of one kind of pair, or null if the pair has no such part.
 template <class Part, class Kind, std::optional<Part> Kind::*part>
 const Part* part_of(const Pair& v) {
   const Kind* p = as<Kind>(v);
@@ -38,7 +38,7 @@ auto by_kind(Of... of) {
 
 bool flanks_meet(const Pair& v) { return v.contact_ratio() > 0.0; }
 
-// An angle of both gears in mesh with their common rack, in degrees.
+// Returns an angle of both gears in mesh with their common rack, in degrees.
 Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
   const auto& sides = p.mesh.rack.sides;
   return degrees({sides[0].*angle, sides[1].*angle});
@@ -50,8 +50,8 @@ std::array<double, 2> working_pitch_diameter(const Pair& v) {
 
 bool has_speed(const Pair& v) { return v.mounted().speed_rpm.has_value(); }
 
-// v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO
-// 6336-1.
+// Returns v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|.
+// Source: ISO 6336-1.
 std::array<double, 2> pitch_line_velocity(const Pair& v) {
   const auto d = working_pitch_diameter(v);
   const double turns_1 = v.mounted().speed_rpm.value() / 60.0;
@@ -183,8 +183,8 @@ void add_contact(Quantities<Pair>& q) {
          "points per tooth; 0 if the teeth do not touch",
          &Pair::contact_ratio)
       .shown([](const Pair& v) { return !is<CrossedPair>(v); });
-  // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to
-  // which an overlap ratio could be added.
+  // A pair on crossed axes has only one contact ratio. It is not a sum of a transverse contact
+  // ratio and an overlap ratio.
   of_crossed
       .number("contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn", &CrossedPair::contact_ratio)
       .doors(kPeople);

@@ -118,8 +118,8 @@ std::string words_of(const Proposal& p) {
 }
 
 std::vector<std::size_t> same_proposals(const std::vector<Proposal>& list, std::size_t i) {
-  // The effects of a spec are computed only once, even if several proposals have this spec. These
-  // proposals therefore have the same results in every bit, and == can compare them.
+  // If several proposals have the same spec, the effects of this spec are computed only once. The
+  // results of these proposals are therefore equal in every bit, and == can compare them.
   const auto same = [&](std::size_t k) {
     return !list[i].transmission_error.empty() &&
            list[k].transmission_error == list[i].transmission_error &&

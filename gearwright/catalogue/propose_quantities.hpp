@@ -12,9 +12,8 @@
 
 namespace gearwright {
 
-/// The profile modifications of a proposal: the modifications of the spec, or reliefs that are
-/// short or long. The reliefs are either at the tips of both gears or at the tip and the root
-/// of gear 1.
+/// The profile modifications of a proposal. They are those of the spec, or short or long reliefs.
+/// The reliefs are either at the tips of both gears or at the tip and the root of gear 1.
 enum class ProposedProfile { as_given, short_tips, long_tips, short_gear1, long_gear1 };
 
 /// The amounts of a gear in mm. An amount is empty if the proposal keeps the value of the spec.
@@ -60,17 +59,18 @@ struct ProposeView {
 const Quantities<ProposeView>& propose_quantities();
 const Quantities<Proposal>& proposal_quantities();
 
-/// Example: "short tip relief with f_pb, helix crowning".
+/// Returns the proposal in words, for example "short tip relief with f_pb, helix crowning".
 std::string words_of(const Proposal& proposal);
-/// The indices of the proposals with the same spec as proposal `i`, with `i` as the first. The list
-/// is empty if a proposal before `i` has this spec.
+/// Returns the indices of the proposals with the same spec as proposal `i`. `i` is the first index.
+/// The list is empty if a proposal before `i` has the same spec.
 std::vector<std::size_t> same_proposals(const std::vector<Proposal>& proposals, std::size_t i);
-/// The proposals in `same` except the first, with their numbers and words. Example:
-/// "3, 4, 6: long tip relief; helix crowning; long tip relief, helix crowning". The text is empty
-/// if `same` contains only one index.
+/// Returns the numbers and the words of all proposals in `same` except the first. An example is "3,
+/// 4, 6: long tip relief; helix crowning; long tip relief, helix crowning". The text is empty if
+/// `same` contains only one index.
 std::string words_of_same(const std::vector<Proposal>& proposals,
                           const std::vector<std::size_t>& same);
-/// Example: "tip relief 12 µm from 79.123 mm, helix crowning 8 µm". Empty if the gear is unchanged.
+/// Returns the amounts as text, for example "tip relief 12 µm from 79.123 mm, helix crowning 8 µm".
+/// The text is empty if the gear is unchanged.
 std::string amounts_of(const ProposedGear& gear);
 
 }  // namespace gearwright

@@ -68,8 +68,9 @@ Value angles_in(Unit unit, Angle angle) {
 
 namespace {
 
-// True for a small number, for example a damage, that `digits` decimals would show as zero although
-// it is not zero. False for a number below 1e-9, which is a rounding error and is shown as zero.
+// True if x is not zero, but `digits` decimals would show it as zero. An example is a small damage.
+// If
+// x| ≤ 1e-9, x is a rounding error, and the result is false.
 bool rounds_to_zero(double x, int digits) {
   return std::abs(x) > 1e-9 && std::abs(x) < 0.5 * std::pow(10.0, -digits);
 }

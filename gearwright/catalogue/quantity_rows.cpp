@@ -8,14 +8,14 @@ namespace gearwright {
 
 namespace {
 
-// The values of one quantity in several records. A value is null if the record lacks it.
+// The values of one quantity in several records. If a record lacks the quantity, its value is null.
 struct Across {
   const QuantityInfo* info;
   std::vector<const Member*> members;
 };
 
-// The quantities of all records in their common order. All records have the order of one table, so
-// the position of a quantity that one record lacks is known from the other records.
+// Returns the quantities of all records in their common order. All records follow the order of one
+// table. If one record lacks a quantity, the other records therefore give its position.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -38,7 +38,7 @@ std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   return all;
 }
 
-// A key as words, without its unit: "sliding velocity" for "sliding_velocity_mm_per_rad".
+// Returns a key as words, without its unit: "sliding velocity" for "sliding_velocity_mm_per_rad".
 std::string key_words(std::string key) {
   for (const std::string_view ending : {"_per_rad", "_mm"})
     if (key.ends_with(ending)) key.erase(key.size() - ending.size());
@@ -46,8 +46,8 @@ std::string key_words(std::string key) {
   return key;
 }
 
-// The words of a quantity in the inner record `outer`. If the catalogue has no words for a
-// quantity, its words are the same as its key.
+// Returns the words of a quantity in the inner record `outer`. If the catalogue has no words for
+// the quantity, the function uses its key.
 std::string words_in(const QuantityInfo* outer, const QuantityInfo& info) {
   if (!outer) return info.words;
   if (outer->key.size() == 1) return fmt::format("{}, point {}", info.words, outer->key);
@@ -56,7 +56,7 @@ std::string words_in(const QuantityInfo* outer, const QuantityInfo& info) {
   return key_words(outer->words) + ", " + key_words(info.words);
 }
 
-// An inner record, or the whole record if `info` is null.
+// An inner record. If `info` is null, it is the whole record.
 struct Within {
   const QuantityInfo* info = nullptr;
   std::string heading, path;
@@ -80,7 +80,7 @@ class Rows {
       }
     }
   }
-  /// The rows, sorted by the headings in the order of `titles`. Other headings follow.
+  /// Returns the rows, sorted by their headings in the order of `titles`. Other headings follow.
   std::vector<QuantityRow> sorted(const std::vector<std::string>& titles) {
     const auto rank = [&](const std::vector<QuantityRow>& rows) {
       return std::find(titles.begin(), titles.end(), rows.front().group) - titles.begin();
@@ -106,8 +106,8 @@ class Rows {
            (at_door || (info.type == Type::record && info.list.empty())) &&
            any([](const Member& m) { return !m.value.nothing(); });
   }
-  // Adds the quantities of an inner record. The records of a list are added one after the other,
-  // with their numbers in the headings.
+  // Adds the quantities of an inner record. For a list, the records are added one after the other,
+  // and the headings contain their numbers.
   void nest(const Across& a, const Within& place) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

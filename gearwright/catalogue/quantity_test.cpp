@@ -91,7 +91,7 @@ TEST(Catalogue, WordsAreTerms) {
   }
 }
 
-// The difference between a value and its declaration; empty if they agree.
+// Describes the difference between a value and its declaration. The text is empty if they agree.
 std::string fault(const QuantityInfo& s, const Value& v, std::size_t depth = 0);
 
 std::string fault_in(const ValueRecord& record) {

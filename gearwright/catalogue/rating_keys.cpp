@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxFactor = 100.0;
 
-// A key for a factor that replaces the formula of the standard.
+// Makes a key for a factor that replaces the formula of the standard.
 Key factor(std::string_view key, std::string_view symbol, double RatingInput::*member,
            std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, KeyRange::between(1, kMaxFactor), {&RatingTable::input, member},
@@ -28,8 +28,8 @@ Key factor(std::string_view key, std::string_view symbol,
                      fallback, meaning);
 }
 
-// The key of K_γ. For a drive, the value may also be a table of numbers by mesh or the word
-// "computed", which spec/read_drive.hpp reads.
+// Makes the key of K_γ. For a drive, the value may also be a table of numbers by mesh, or the word
+// "computed". spec/read_drive.hpp reads these forms.
 Key mesh_load_factor() {
   Key key = factor(
       "mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
@@ -42,7 +42,8 @@ Key mesh_load_factor() {
   return key;
 }
 
-// The key of K_Hβ, which the job computes from the load along the teeth if its value is "computed".
+// Makes the key of K_Hβ. If the value is "computed", the job computes K_Hβ from the load along the
+// teeth.
 Key face_load_factor() {
   Key key = factor(
       "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
@@ -57,7 +58,7 @@ Key face_load_factor() {
   return key;
 }
 
-// A key for two numbers, one for each gear. A single number applies to both gears.
+// Makes a key for two numbers, one for each gear. A single number applies to both gears.
 Key of_both(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
@@ -72,13 +73,13 @@ std::string set_quality(RatingTable& rating, const std::array<double, 2>& grade)
   return "";
 }
 
-// Sets the rims. The stiffness of the bodies is computed with the thinner rim for both gears.
+// Sets the rims. For the stiffness of the gear bodies, the thinner rim is used for both gears.
 void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.input.rim = {rim[0], rim[1]};
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// If power and torque are both given, they must agree. If only a spectrum is given, its step with
+// If power and torque are both given, they must agree. If there is only a spectrum, its step with
 // the greatest torque is the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;

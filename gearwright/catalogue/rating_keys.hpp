@@ -20,8 +20,8 @@ struct RatingTable {
   std::optional<double> torque;           ///< T_1  N m, on gear 1
   std::optional<double> web_thickness;    ///< b_s  mm
   std::optional<double> rim_thickness;    ///< s_R  mm, of both gears
-  std::vector<LoadBin> spectrum;          ///< [[rating.spectrum]], which replaces the single load
-                                          ///< and its life
+  std::vector<LoadBin> spectrum;          ///< [[rating.spectrum]]; it replaces the single load and
+                                          ///< the life of this load
   std::optional<MaterialInput> material;  ///< for a gear without its own material
   std::optional<double> safety_flank_min, safety_root_min;  ///< required safeties
   bool tooth_contact = false;  ///< true if tooth contact under this load is also computed

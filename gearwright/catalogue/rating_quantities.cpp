@@ -156,7 +156,7 @@ ValueList of_materials(const RatingAnswer& v, F value) {
   return values;
 }
 
-// The strengths of both materials. A strength is null for a plastic whose strength depends on
+// Returns a strength of both materials. The value is null for a plastic whose strength depends on
 // temperature.
 Value strengths(const RatingAnswer& v, double Material::*member) {
   return of_materials(
@@ -353,7 +353,7 @@ void add_rated_contact(Quantities<RatingAnswer>& q) {
       .when();
 }
 
-// True for a rating by VDI 2736. Only this rating has rows and keys for temperatures and Y_ε.
+// True for a rating by VDI 2736. Only such a rating has rows and keys for temperatures and Y_ε.
 bool by_vdi(const RatingAnswer& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void add_temperatures(Quantities<RatingAnswer>& q) {
@@ -393,7 +393,7 @@ void add_rating(Quantities<RatingAnswer>& q) {
   add_given(q);
   add_temperatures(q);
   for (const FactorEntry& e : entries()) {
-    // The section of the root is listed before the factors that are computed from it.
+    // The section of the root comes before the factors that depend on it.
     if (std::string_view(e.key) == "Y_F") add_section(q);
     add_factor(q, e);
   }

@@ -1,7 +1,7 @@
 // The quantities of a strength rating. A result contains them under `rating`.
 //
 // Each factor is described once, with its member of the rating. All interfaces use this description
-// for the value, the formula number and the branch.
+// to show the value, the formula number and the branch.
 #pragma once
 
 #include <array>
@@ -28,26 +28,25 @@ struct RatingAnswer {
   RatingInput input;
   Rating rating;
   std::optional<SpectrumRating> spectrum;
-  std::optional<double> torque_holding;  ///< N m, greatest torque at which the pair has the
-                                         ///< required safeties
-  std::optional<double> face_holding;    ///< mm, least common face width with which the pair has
-                                         ///< these safeties; none if K_Hβ is computed
+  std::optional<double> torque_holding;  ///< N m, greatest torque with the required safety factors
+  std::optional<double> face_holding;    ///< mm, least common face width with the required safety
+                                         ///< factors; none if K_Hβ is computed
   std::optional<ToothContact> contact;   ///< none unless the spec requests it
   Safeties wanted{};                     ///< required safeties in the spec, or 1
 };
 
 const Quantities<RatingAnswer>& rating_quantities();
 
-/// The clause of the standard for a factor, and the branch that was used. If the branches for gear
-/// 1 and gear 2 differ, both are listed.
+/// The clause of the standard for a factor, and the branch that was used. If gear 1 and gear 2 have
+/// different branches, both are listed.
 struct FactorSource {
   std::string key, formula;
   std::vector<std::string> branches;
 };
 std::vector<FactorSource> factor_sources(const Rating& rating);
 
-/// Example: "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85". The text is "" for a key that
-/// is not a factor.
+/// Returns the source as text, for example "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85".
+/// Returns "" for a key that is not a factor.
 std::string source_text(const Rating& rating, std::string_view key);
 
 }  // namespace gearwright

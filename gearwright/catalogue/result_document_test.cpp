@@ -27,7 +27,8 @@ namespace {
 
 constexpr const char* kDocument = "docs/spec.md";
 
-// The words and the meaning, with the values of a word: "tip diameter; of the blank".
+// Returns the words and the meaning of a quantity, for example "tip diameter; of the blank". If the
+// value is a word, its possible values follow.
 std::string meaning_of(const QuantityInfo& s) {
   std::string text = s.words == s.key ? "" : s.words;
   if (!s.meaning.empty()) text += (text.empty() ? "" : "; ") + s.meaning;

@@ -12,8 +12,8 @@ namespace {
 constexpr const char* kRange =
     "[least, greatest] for a uniform distribution, or a table with `range` and `distribution`";
 
-// A key for a toleranced number, which a spec gives as a list or as a table. `reach` returns the
-// member of the struct T in which the number is stored, an optional distribution.
+// Makes a key for a toleranced number, which a spec gives as a list or as a table. `reach` returns
+// the member of the struct T that stores the number. This member is an optional distribution.
 template <class T, class F>
 Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range, F reach,
                std::string_view meaning) {

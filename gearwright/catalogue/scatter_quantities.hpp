@@ -42,8 +42,8 @@ const std::array<LoadedEntry, 3>& loaded_entries();
 struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
-  /// For each percentile, the sample whose value is nearest to it. Each sample contains the
-  /// errors in the form of a spec, followed by its other inputs.
+  /// For each percentile, the sample with the nearest value. Each sample contains the errors in the
+  /// form of a spec, followed by its other inputs.
   ValueList samples;
 };
 
@@ -53,14 +53,14 @@ struct WorstView {
   ValueMap at;  ///< values of the inputs, by name
 };
 
-/// The results of the family of pairs under one torque.
+/// The results of a family of pairs under one torque.
 struct LoadedSpreadView {
   const LoadedSpread* loaded;
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
-/// The statistics of a family of pairs, either without or with corrections. Both families are
-/// computed from the same samples, so that they can be compared.
+/// The statistics of a family of pairs, either without or with corrections. Both families have the
+/// same samples, so they can be compared.
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// Example: "The gears jam in 3 of 64 samples (4.688 %, between 0.9782 and 13.09 %)."
+// Returns, for example, "The gears jam in 3 of 64 samples (4.688 %, between 0.9782 and 13.09 %)."
 std::string event_words(std::string_view words, const Probability& p) {
   const std::string share =
       p.count == 0 ? fmt::format("less than {:.3g} %", 100 * p.interval.upper)
@@ -22,8 +22,8 @@ std::string event_words(std::string_view words, const Probability& p) {
   return capitalised(fmt::format("{} in {} of {} samples ({}).", words, p.count, p.of, share));
 }
 
-// The range of every input and the key that gives it. Waves and pitches have no range, because
-// they vary within their grade.
+// Returns the range of every input, with the key that gives the range. Waves and pitches have no
+// range, because they vary within their accuracy grade.
 TextTable input_table(const ScatterView& view, UnitSystem units) {
   TextTable table{"Inputs", {"least", "greatest", "from"}};
   bool waves = false;
@@ -55,7 +55,8 @@ TextTable correlation_table(const ScatterTask& task, UnitSystem units) {
   return table;
 }
 
-// The texts of estimates, and of their standard errors if there are several replicates.
+// Returns the texts of estimates. If there are several replicates, also returns their standard
+// errors.
 TextTable::Row estimate_row(UnitSystem units, const SpreadEntry& entry, std::string words,
                             const std::vector<Estimate>& estimates) {
   TextTable::Row row{std::move(words), std::string(unit_text(units, entry.unit)), {}};
@@ -129,7 +130,7 @@ TextTable index_table(const ScatterView& view, UnitSystem units, ScatterQuantity
   return table;
 }
 
-// The worst values, a column for each, with the inputs that give them.
+// Returns the worst values, one column for each value, with the inputs that cause it.
 TextTable worst_table(const ScatterView& view, UnitSystem units) {
   TextTable table{"Worst values within all ranges, found by a search", {}};
   std::vector<TextTable::Row> rows{{"value", "", {}}, {"no pair has less than", "", {}}};
@@ -192,7 +193,8 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
   return table;
 }
 
-// The corrections, then the percentiles without and with them, for rigid teeth or for each torque.
+// Returns the corrections, and the percentiles without and with them, for rigid teeth or for each
+// torque.
 std::vector<TextTable> robust_tables(const RobustView& r, UnitSystem units) {
   const std::string point = format_number(r.percent) + " % point";
   const std::vector<std::string> both{"without corrections", "with corrections"};

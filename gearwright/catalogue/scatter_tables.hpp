@@ -1,4 +1,4 @@
-// The tables of a scatter for users, in the order in which the terminal and the report show them.
+// The tables of a scatter for users. The terminal and the report show them in this order.
 #pragma once
 
 #include <string_view>

@@ -18,8 +18,8 @@ struct ScatteredDesign {
 };
 const Quantities<ScatteredDesign>& scattered_design_quantities();
 
-/// Data of a ranking of designs by a percentile. The designs themselves are not included. They
-/// are read one by one with scattered_design_quantities().
+/// Data of a ranking of designs by a percentile, without the designs themselves.
+/// scattered_design_quantities() reads the designs one by one.
 struct ScatterStudyView {
   double percent;  ///< percentile of the ranking
   int samples, replicates;

@@ -16,7 +16,8 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
-constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
+constexpr double kMinShiftStep = 0.0025;     // a wide region has half a million points with this
+                                             // step
 constexpr std::size_t kMostOverlaps = 20;
 constexpr KeyList kNumbers{1, kMaxValues, true};
 constexpr std::array<std::string_view, 4> kSearchRacks{"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"};
@@ -69,8 +70,8 @@ constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12
 constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
                                   80.0, 96.0, 120.0, 150.0, 200.0};
 
-// The numbers of one series or of two, in ascending order. The name `one` selects the first series,
-// `two` selects the second series, and `both` selects the two series together.
+// Returns the numbers of one series or of two series, in ascending order. The name `one` selects
+// the first series, `two` the second series, and `both` the two series together.
 template <class First, class Second>
 std::vector<double> numbers_of(std::string_view name, const First& first, std::string_view one,
                                const Second& second, std::string_view two, std::string_view both) {
@@ -91,7 +92,7 @@ std::vector<double> module_series(std::string_view name) {
   return numbers_of(name, kFirstModules, "ISO54-I", kSecondModules, "ISO54-II", "ISO54-I+II");
 }
 
-// A diameter or centre distance, in mm, for which every series and every tolerance is defined.
+// A diameter or centre distance, mm, at which every series and every tolerance is defined.
 constexpr double kAnyDiameter = 100.0;
 
 std::string series_fault(const std::string& series) {
@@ -112,7 +113,7 @@ std::string_view objective_called(std::string_view word) {
 
 namespace {
 
-// A key for a limit, which is a least value, a greatest value or a margin.
+// Makes a key for a limit. The limit is a least value, a greatest value or a margin.
 template <class V>
 Key limit(std::string_view key, std::string_view symbol, KeyRange range, V SearchLimits::*member,
           std::string_view fallback, std::string_view meaning) {
@@ -136,7 +137,7 @@ void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
   problem.limits.max_shift = band[1];
 }
 
-// Sets the modules in ascending order. Every module may occur once.
+// Sets the modules in ascending order. No module may occur twice.
 std::string set_modules(SearchProblem& problem, const std::vector<double>& modules) {
   problem.modules = modules;
   std::sort(problem.modules.begin(), problem.modules.end());

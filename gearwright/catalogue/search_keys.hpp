@@ -10,17 +10,18 @@ namespace gearwright {
 
 const KeyTable& search_keys();
 
-/// The modules of the series "ISO54-I", "ISO54-II" or "ISO54-I+II", in mm and in ascending order.
-/// The list is empty for any other name.
+/// Returns the modules of the series "ISO54-I", "ISO54-II" or "ISO54-I+II", in mm and in ascending
+/// order. Returns an empty list for any other name.
 std::vector<double> module_series(std::string_view name);
 
-/// The word for teeth without allowances. A spec gives it in place of a series of DIN 3967.
+/// The word for teeth without allowances. A spec may give this word in place of a series of DIN
+/// 3967.
 inline constexpr std::string_view kNoAllowances = "none";
-/// The reason for rejecting a name that is not a series of thickness allowances of DIN 3967. The
-/// text is empty for such a series, for kNoAllowances and for an empty name.
+/// Returns the reason for rejecting a name that is not a series of thickness allowances of DIN
+/// 3967. Returns an empty text for such a series, for kNoAllowances and for an empty name.
 std::string series_fault(const std::string& series);
 
-/// The coefficients of friction that are allowed for flanks.
+/// Returns the range of the coefficients of friction that are allowed for flanks.
 KeyRange friction_range();
 
 /// One number, or the least and the greatest number of a band.
@@ -30,9 +31,9 @@ inline constexpr KeyList kBand{
     .order = {.sentence = "is an empty band, because no number lies between {} and {}; write the "
                           "least value first"}};
 
-/// The objective of which a word is a synonym, for example "mass" for "weight". The text is empty
-/// if the word is not a synonym. The objective may belong to searches for pairs, for drives, or for
-/// both.
+/// Returns the objective of which a word is a synonym, for example "mass" for "weight". Returns an
+/// empty text if the word is not a synonym. The objective may belong to searches for pairs, to
+/// searches for drives, or to both.
 std::string_view objective_called(std::string_view word);
 
 }  // namespace gearwright

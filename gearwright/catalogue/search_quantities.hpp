@@ -21,30 +21,30 @@ struct DesignView {
 
 const Quantities<DesignView>& design_quantities();
 
-/// A finished search without its designs. There may be many designs, so they are read one by
-/// one with design_quantities().
+/// A finished search, without its designs. There may be many designs, so design_quantities() reads
+/// them one by one.
 struct SearchView {
   const SearchProblem* problem = nullptr;
   SearchAnswer answer;
-  std::vector<NearestChange> changes;       ///< changes that would help if nothing is feasible
+  std::vector<NearestChange> changes;       ///< changes that give a design, if nothing is feasible
   std::optional<DesignRow> safest;          ///< the safest rated design if nothing is feasible
-  std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
-                                            ///< spec gives none
+  std::optional<double> default_face_load;  ///< the default K_Hβ; only if the search is rated and
+                                            ///< its spec gives no K_Hβ
 };
 const Quantities<SearchView>& search_quantities();
 
-/// The quantities of one point in the grid of profile shifts. They occur only as columns of tables.
+/// The quantities of one point in the grid of profile shifts. They are only columns of tables.
 const Quantities<ShiftPoint>& point_quantities();
 
-/// A change of the spec, with its key and its two values as the spec writes them. An example is
+/// A change of the spec, with its key and two values as a spec writes them. An example is
 /// search.interference from "exclude" to "flag".
 struct SpelledChange {
   std::string key, from, to;
 };
 SpelledChange spelled_change(const NearestChange& change, UnitSystem units = UnitSystem::mm);
 
-/// An angle in degrees without the rounding error of a conversion to radians and back. If −12 was
-/// given, for example, the result is exactly −12.
+/// Returns an angle in degrees without the rounding error of a conversion to radians and back. For
+/// example, if the user gave −12, the result is exactly −12.
 double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

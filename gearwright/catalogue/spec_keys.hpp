@@ -28,11 +28,12 @@ struct SpecTables : GivenPair {
 /// The keys of the file itself: title, [gear1], [gear2], [pair] and so on.
 const KeyTable& spec_keys();
 
-/// Every table that can be reached from spec_keys(), each once. The first is spec_keys() itself.
+/// Returns every table that can be reached from spec_keys(), each once. The first one is
+/// spec_keys() itself.
 std::vector<const KeyTable*> all_key_tables();
 
-/// True if the last part of the path is a key of any table, or the last part of any permitted word.
-/// An example of the latter is lead_crowning_um, the last part of the word
+/// True if the last part of the path is a key of any table. Also true if it is the last part of any
+/// permitted word. For example, lead_crowning_um is the last part of the word
 /// "gear1.lead_crowning_um".
 bool is_spec_key(std::string_view path);
 

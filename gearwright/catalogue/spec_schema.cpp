@@ -16,12 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The number as JSON. A whole number has no decimal point.
+// Returns the number as JSON. A whole number has no decimal point.
 Json number_json(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
 }
 
-// The schema of a number. The general limits of numbers, such as kMaxInput, do not apply in a list.
+// Returns the schema of a number. In a list, general limits of numbers, such as kMaxInput, do not
+// apply.
 Json number_schema(const Key& key) {
   const bool whole = key.kind == KeyKind::whole;
   const double most = whole ? kMaxWholeInput : kMaxInput;
@@ -71,7 +72,7 @@ std::vector<Json> element_schemas(const Key& key) {
     case KeyKind::any: break;
   }
   if (!key.range.limited()) return {};
-  const Json number = number_schema(key);  // a number, or numbers by name
+  const Json number = number_schema(key);  // of a number, or of numbers by name
   return {number, {{"type", "object"}, {"additionalProperties", number}}};
 }
 
@@ -138,13 +139,13 @@ Json table_schema(const KeyTable& table) {
 
 Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
 
-// The requirement for gears. A search can choose the numbers of teeth, and a drive has its own
-// gears. Every other spec needs at least one complete gear.
+// Returns the requirement for gears. A search can choose the numbers of teeth, and a drive has its
+// own gears. Every other spec needs at least one complete gear.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});
   rack["properties"] = {{"form", {{"const", "rack"}}}};
-  // Gear 2 needs only its number of teeth, because it takes all other values from gear 1.
+  // Gear 2 needs only its number of teeth, because all its other values default to those of gear 1.
   const Json second{{"anyOf", {required({"teeth"}), rack}}};
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
@@ -163,9 +164,9 @@ Json gears_or_search() {
           {"else", std::move(alone)}};
 }
 
-// Some keys of [rating] need a speed. This condition is removed from the schema of [rating] and
-// returned as a condition for specs without a drive, because a drive takes the speed from its
-// input.
+// Some keys of [rating] need a speed, but a drive takes the speed from its input. This function
+// therefore removes the condition from the schema of [rating], and returns it as a condition for
+// specs without a drive.
 Json needs_outside_drives(Json& rating) {
   Json needs = std::move(rating["dependentRequired"]);
   rating.erase("dependentRequired");

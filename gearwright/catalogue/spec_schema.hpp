@@ -1,15 +1,15 @@
-// The JSON Schema (draft 2020-12) of specs, made from the key tables. Editors use it to complete
-// TOML, and any validator can check a spec with it.
+// Makes the JSON Schema (draft 2020-12) of specs from the key tables. Editors use the schema to
+// complete TOML, and any validator can check a spec with it.
 //
-// The schema describes single keys and combinations of keys. Only the program can check geometric
-// conditions.
+// The schema describes single keys and combinations of keys. It cannot describe geometric
+// conditions, which only the program checks.
 #pragma once
 
 #include <string>
 
 namespace gearwright {
 
-/// The text of the file, with two spaces per level and a line feed at the end.
+/// Returns the text of the file, with two spaces per level and a line feed at the end.
 std::string spec_schema();
 
 }  // namespace gearwright

@@ -47,8 +47,8 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
     if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
 }
 
-// The first entry of `found` whose key the spec gives. If the spec gives none of the keys, the
-// first entry whose key the documents contain.
+// Returns the first entry of `found` whose key the spec gives. If the spec gives none of these
+// keys, returns the first entry whose key is in the documents.
 std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
   if (found.empty()) return std::nullopt;
   for (const Spelling& s : found)
@@ -64,8 +64,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// If the spec gives a key whose value is converted, such as a diametral pitch, returns the key
-// that sets the member without conversion, such as the module.
+// Returns the key that sets the member without conversion, such as the module. The result exists
+// only if the spec gives a key whose value is converted, such as a diametral pitch.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)
@@ -73,7 +73,7 @@ std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s)
   return plain;
 }
 
-// The value as it is written in the file. A word is in quotes.
+// Returns the value as it is written in the file. A word is in quotes.
 std::string spelled_value(const std::string& value, const Key& key) {
   if (key.kind == KeyKind::text && !value.empty()) return "\"" + value + "\"";
   const bool word = key.kind != KeyKind::number && key.kind != KeyKind::whole && !value.empty() &&
@@ -82,7 +82,7 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
-// The rest of `path` after the leading tables that `path` and `around` have in common.
+// Returns `path` without the leading tables that `path` and `around` have in common.
 std::string_view beside(std::string_view path, std::string_view around) {
   const auto table_of = [](std::string_view text) { return text.substr(0, text.find('.')); };
   while (path.find('.') != std::string_view::npos && table_of(path) == table_of(around)) {
@@ -92,8 +92,8 @@ std::string_view beside(std::string_view path, std::string_view around) {
   return path;
 }
 
-// The key of a member that is named in a sentence about `owner`. If several tables have the member,
-// the table nearest to `owner` is used.
+// Returns the key of a member that occurs in a sentence about `owner`. If several tables have the
+// member, the table nearest to `owner` is used.
 std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
   for (std::string_view around = owner; !around.empty();) {
     if (const auto s = spelling_of(joined(around, member), given))
@@ -107,7 +107,7 @@ std::string named(std::string_view member, const GivenKeys& given, std::string_v
   return table ? "[" + s->path + "]" : s->path;
 }
 
-// The sentence with keys instead of the members in backticks.
+// Returns the sentence with keys in place of the members in backticks.
 std::string in_keys(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
   std::string text;
   while (!sentence.empty()) {
@@ -121,7 +121,7 @@ std::string in_keys(std::string_view sentence, const GivenKeys& given, std::stri
   return text += sentence;
 }
 
-// The error with keys instead of members. Its numbers are in the units of the catalogue.
+// Returns the error with keys in place of members. Its numbers are in the units of the catalogue.
 Error with_keys(const Error& error, const GivenKeys& given) {
   const std::size_t dot = error.field.rfind('.');
   const std::string_view owner =
@@ -131,7 +131,7 @@ Error with_keys(const Error& error, const GivenKeys& given) {
   if (!s) return worded;
   worded.field = s->path;
   worded.value = spelled_value(worded.value, *s->key);
-  // A default rack is not in the file, so the message states that the value is a default.
+  // If a rack is not in the file, it is a default rack, and the message states this.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
   if (of_rack && !worded.value.empty() && !given.contains(s->path))
     worded.rule =
@@ -159,7 +159,7 @@ std::string spelled(std::string_view sentence, const GivenKeys& given, std::stri
 
 Error in_units_of(const GivenKeys& given, const Error& error) {
   if (given.units == UnitSystem::mm) return error;
-  // A modification that is given as text is the name of a file, whose numbers are in mm.
+  // If the value of a modification is a text, the text is the name of a file with numbers in mm.
   const Key* key = modification_keys().find(error.field.substr(error.field.rfind('.') + 1));
   if (key && key->kind == KeyKind::text) return error;
   const KeyUnit* unit = metric_unit(error.field);

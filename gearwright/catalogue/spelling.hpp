@@ -1,11 +1,11 @@
-// Converts an error of the library for a spec file. The members of structs are replaced by the keys
-// of the file, and the rest of the sentence is unchanged.
+// Converts an error of the library for the user of a spec file. The keys of the file replace the
+// members of structs, and the rest of the sentence is unchanged.
 //
 //   gear1.tip_diameter = 10: must be greater than the root diameter 35 mm
 //   gear1.tip_diameter_mm = 10: must be greater than the root diameter 35 mm
 //
-// Members in a sentence are in backticks. The key of such a member is searched first in the table
-// of the error, then in the enclosing tables.
+// Members in a sentence are in backticks. Their keys are searched first in the table of the error,
+// and then in the enclosing tables.
 #pragma once
 
 #include <map>
@@ -19,20 +19,21 @@
 namespace gearwright {
 
 /// The paths of the keys that a spec gives, for example "gear1.left_tip_relief_um". If several keys
-/// can set one member, an error names the key that the spec gives.
+/// can set the same member, an error names the key that the spec gives.
 struct GivenKeys : std::set<std::string, std::less<>> {
   using set::set;
-  UnitSystem units = UnitSystem::mm;  ///< units of the spec; the paths always have metric keys
-  /// The values of the lengths as they are written, by path. Empty unless the spec is in inch.
+  UnitSystem units = UnitSystem::mm;  ///< units of the spec; the paths have metric keys in both
+                                      ///< systems
+  /// The values of the lengths as the spec writes them, by path. Empty unless the spec is in inch.
   std::map<std::string, std::string, std::less<>> written{};
 };
 
-/// The error with keys instead of members, in the units of the spec. Other words are unchanged, so
-/// a second call has no effect.
+/// Returns the error with keys in place of members, in the units of the spec. All other words are
+/// unchanged, so a second call has no effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
 /// Converts an error, whose field is a key of the catalogue, to the units of the spec. A value that
-/// the spec gives is shown as it is written.
+/// the spec gives is shown as the spec writes it.
 Error in_units_of(const GivenKeys& given, const Error& error);
 
 /// Replaces members by keys in a sentence about the table `owner`, for example "gear1". If `owner`
@@ -44,8 +45,8 @@ struct SpelledMember {
   std::string key;    ///< with its path, "search.contact_ratio_min"
   std::string value;  ///< as it is written in the file; a word is in quotes
 };
-/// The key of a member of the table `owner`, or of the spec if this table has no such member. If no
-/// key sets the member, the result is the name of the member itself.
+/// Returns the key of a member of the table `owner`. If this table has no such member, a member of
+/// the spec is used. If no key sets the member, the result is the name of the member itself.
 SpelledMember spelled_member(std::string_view owner, std::string_view member,
                              const std::string& value = {});
 

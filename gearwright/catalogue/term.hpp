@@ -34,7 +34,7 @@ enum class Unit {
   modules,          ///< normal modules; no unit is shown to users
   modules_squared,  ///< area of a region of two profile shifts
   percent,          ///< a share from 0 to 1, shown to users as a percentage
-  inch,             ///< this unit and the units below occur in answers to inch specs only
+  inch,             ///< this unit and those below occur only in answers to inch specs
   microinch,
   per_inch,
   inch_per_rad
@@ -51,14 +51,15 @@ enum class Type {
   map
 };
 
-/// "mm", "°", "µm", or "" for a pure number.
+/// Returns "mm", "°", "µm" and so on, or "" for a pure number.
 std::string_view unit_text(Unit unit);
-/// The suffix of keys in this unit, "_mm" or "_deg". It is empty for a unit without a suffix.
+/// Returns the suffix of keys in this unit, "_mm" or "_deg". Returns "" for a unit without a
+/// suffix.
 std::string_view unit_suffix(Unit unit);
-/// The unit that the suffix of the key names, or Unit::none if there is no such suffix.
+/// Returns the unit that the suffix of the key names, or Unit::none if there is no such suffix.
 Unit unit_of(std::string_view key);
-/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for
-/// degrees (0.17 µm on a radius of 1 m) and for pure numbers.
+/// Returns the number of decimals for users. It is 4 for mm (0.1 µm, the last digit of a gear
+/// drawing), and 5 for degrees (0.17 µm on a radius of 1 m) and for pure numbers.
 int unit_digits(Unit unit);
 
 struct Term {
@@ -67,7 +68,7 @@ struct Term {
 };
 
 std::span<const Term> terms();  ///< sorted by key
-/// Domain  `key` is the key of a term (contract)
+/// Returns the term with this key.   Domain  `key` is the key of a term (contract)
 const Term& term_of(std::string_view key);
 
 }  // namespace gearwright

@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The column of the quantity `info`. If `gear` is 1 or 2, it is the column of this gear's values.
+// Makes the column of the quantity `info`. If `gear` is 1 or 2, the column has the values of this
+// gear.
 ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const std::string& head,
                              int gear, const std::vector<const Member*>& members) {
   ListingColumn column{

@@ -1,5 +1,6 @@
 // Tables for users, stored as texts. An answer makes each table once, in the words and units of its
-// spec. The terminal (job/listing.hpp) and the report (report/table_builder.hpp) print this table.
+// spec. Both the terminal (job/listing.hpp) and the report (report/table_builder.hpp) print this
+// table.
 #pragma once
 
 #include <initializer_list>
@@ -29,8 +30,8 @@ struct TextTable {
 
 constexpr std::string_view kAbsent = "-";  ///< the cell of a value that a record does not have
 
-/// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
-/// lacks it.
+/// Returns the member of a record, or of one of its inner records ("span.length_mm"). Returns null
+/// if the record lacks it.
 const Member* member_at(const ValueRecord& record, std::string_view path);
 
 struct ListingColumn {
@@ -39,19 +40,19 @@ struct ListingColumn {
   std::string unit;
   std::vector<std::string> cells;                   ///< one for each row
   bool left = false;                                ///< true if the cells are aligned to the left
-  std::vector<std::optional<double>> numbers = {};  ///< values of the cells, to compare columns;
+  std::vector<std::optional<double>> numbers = {};  ///< values of the cells, for comparing columns;
                                                     ///< empty for columns of words
 };
 
 /// Makes a column for each quantity of `keys` for which at least one record shows a value. The
-/// values are given in `units`. A heading is the symbol or, if another column has the same
-/// symbol, the words. The key of a member of an inner record is "record.key".
+/// values are in `units`. The heading is the symbol. If another column has the same symbol, the
+/// heading is the words. The key of a member of an inner record is "record.key".
 std::vector<ListingColumn> listing_columns(UnitSystem units,
                                            const std::vector<ValueRecord>& records,
                                            std::initializer_list<std::string_view> keys);
 
-/// A table with a row for each record. The row begins with the name of the record, followed by the
-/// columns that listing_columns() makes for `keys`.
+/// Makes a table with a row for each record. The row begins with the name of the record. The
+/// columns of listing_columns() for `keys` follow.
 TextTable record_table(UnitSystem units, std::string title, const std::vector<std::string>& names,
                        const std::vector<ValueRecord>& records,
                        std::initializer_list<std::string_view> keys);

@@ -1,6 +1,7 @@
 // Converts sentences of the program, which are written in mm, to inch. Numbers and keys are
 // converted. Every length in a sentence has its own unit, as in "1 mm, 2 mm and 5 mm". A module
-// stays in mm: a no-break space precedes its unit, so the unit is not found and not converted.
+// stays in mm. A no-break space precedes the unit of a module, so the search for units does not
+// find it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,10 +50,10 @@ std::optional<NumberText> number_at(std::string_view text) {
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }
 
-// The number in the inch unit. A number with at least four significant digits and at least
-// three decimals is usually rounded, so its result has one significant digit less, and all
-// digits of the result are correct. Every other result has at least four significant digits. A
-// number after "at least" is rounded up, and a number after "at most" is rounded down.
+// Returns the number in the inch unit. A number with at least four significant digits and at least
+// three decimals is usually rounded. Its result has one significant digit less, so that all digits
+// of the result are correct. Every other result has at least four significant digits. After "at
+// least", the number is rounded up, and after "at most", it is rounded down.
 std::string number_in(const NumberText& number, const KeyUnit& unit, std::string_view before) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";
@@ -78,8 +79,8 @@ struct Symbol {
 };
 constexpr std::array kSymbols{Symbol{" mm", " in", "_mm"}, Symbol{" µm", " µin", "_um"}};
 
-// The unit after a number, if it is a length and not a part of another unit such as "N/mm" or
-// "mm²".
+// Returns the unit after a number, if it is a length. Returns null if it is a part of another unit
+// such as "N/mm" or "mm²".
 const Symbol* symbol_at(std::string_view text) {
   for (const Symbol& s : kSymbols) {
     if (!text.starts_with(s.metric)) continue;
@@ -152,7 +153,7 @@ class SentenceInInch {
   }
 
   // Copies a word or a path of keys. The key of a length gets its name in inch. If " = " and a
-  // number follow, the number is converted, too.
+  // number follow the key, the number is also converted.
   void take_word() {
     std::size_t end = 0;
     const auto joins = [&](std::size_t i) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr long double kMm = 25.4L, kUm = 0.0254L;
 
-// The first row whose ending matches is used, so a longer ending precedes a shorter one.
+// The first row with a matching ending is used, so longer endings come before shorter ones.
 constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false},
                                KeyUnit{"_mm_per_turn", "_in_per_turn", kMm, false},
                                KeyUnit{"_per_mm", "_per_in", kMm, true},
@@ -23,8 +23,8 @@ constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false}
                                KeyUnit{"_mm", "_in", kMm, false},
                                KeyUnit{"_um", "_uin", kUm, false}};
 
-// Keys that have the same name in both systems. The list also contains the names that these keys
-// would have in the other system by the rule for endings.
+// Keys with the same name in both systems. By the rule for endings, these keys would have other
+// names in the other system. The list also contains these other names.
 constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "module_in",
                                                    "normal_module_mm",
@@ -38,9 +38,9 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "diametral_pitches_per_in",
                                                    "diametral_pitches_per_mm"};
 
-// Keys whose numbers do not have the unit of the enclosing key. `cpk` and `shape` are pure numbers
-// in the table of a toleranced length, for example in { range = [-1, 1], cpk = 1.33 }. The members
-// of `samples` have units of their own.
+// Keys whose numbers do not have the unit of the enclosing key. In the table of a toleranced
+// length, for example { range = [-1, 1], cpk = 1.33 }, `cpk` and `shape` are pure numbers. The
+// members of `samples` have their own units.
 constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
 template <class List>
@@ -48,7 +48,7 @@ bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// The unit at the end of one key, without its index.
+// Returns the unit at the end of one key, without its index.
 const KeyUnit* unit_at_end(std::string_view key, std::string_view KeyUnit::*ending) {
   const bool force = key.find("_N_") != std::string_view::npos || key.ends_with("_per_N");
   if (force || is_one_of(kInBoth, key)) return nullptr;
@@ -69,7 +69,7 @@ const KeyUnit* unit_with(std::string_view path, std::string_view KeyUnit::*endin
   }
 }
 
-// The path with every ending `from` replaced by the ending `to` of the same unit.
+// Returns the path with every ending `from` replaced by the ending `to` of the same unit.
 std::string renamed(std::string_view path, std::string_view KeyUnit::*from,
                     std::string_view KeyUnit::*to) {
   std::string made;
@@ -126,7 +126,7 @@ double value_in(UnitSystem units, Unit unit, double value) {
 int digits_in(UnitSystem units, Unit unit, int digits) {
   const UnitPair* pair = pair_of(units, unit);
   if (!pair) return digits;
-  // True if the unit in the inch system is larger than the metric unit. For example, 1 in is larger
+  // True if the unit of the inch system is larger than the metric unit. For example, 1 in is larger
   // than 1 mm.
   const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;
   return std::max(0, digits + (larger ? 1 : -1));
@@ -142,8 +142,8 @@ double KeyUnit::to_metric(double inch_value) const {
   const auto there = [&](double y) { return static_cast<double>(inverse ? y / size : y * size); };
   const double exact = there(inch_value);
   const double shorter = rounded(exact, kSafeDigits);
-  // The inch value may be a short number in mm that was divided by 25.4 in double. The quotient
-  // then has one rounding error, and this function returns the short number.
+  // The inch value may come from a short number in mm, divided by 25.4 in double. The quotient then
+  // has one rounding error, and this function returns the short number.
   const auto back = static_cast<double>(inverse ? shorter * size : shorter / size);
   return std::nextafter(back, inch_value) == inch_value ? shorter : exact;
 }

@@ -19,19 +19,20 @@ enum class UnitSystem { mm, inch };  ///< the order of the words of the key `uni
 
 std::string_view to_string(UnitSystem units);
 
-/// The unit that replaces a unit of the catalogue in this system, for example inch for mm.
+/// Returns the unit that replaces a unit of the catalogue in this system, for example inch for mm.
 Unit unit_in(UnitSystem units, Unit unit);
-/// A value in the unit that replaces `unit`. The result is the number with the fewest digits
-/// that equals the exact value within rounding.
+/// Returns a value in the unit that replaces `unit`. The result is the number with the fewest
+/// digits that equals the exact value within rounding.
 double value_in(UnitSystem units, Unit unit, double value);
-/// The number of decimals shown to users, for a value that has `digits` decimals in `unit`: one
-/// more in inch, and one less in µin or 1/in. The resolution changes by a factor of less than 4.
+/// Returns the number of decimals shown to users, for a value with `digits` decimals in `unit`. It
+/// is `digits` + 1 in inch, and `digits` − 1 in µin or 1/in. The resolution changes by a factor of
+/// less than 4.
 int digits_in(UnitSystem units, Unit unit, int digits);
 
-/// The text of a value in the unit that replaces `unit`, with the number of decimals of
-/// digits_in(). For 1 mm and 4 decimals, for example, it is "1.0000" or "0.03937".
+/// Returns the text of a value in the unit that replaces `unit`, with the number of decimals of
+/// digits_in(). For 1 mm and 4 decimals, the text is "1.0000" in mm and "0.03937" in inch.
 std::string text_in(UnitSystem units, Unit unit, double value, int decimals);
-/// The text of the unit that replaces `unit`, for example "mm" or "in".
+/// Returns the text of the unit that replaces `unit`, for example "mm" or "in".
 std::string_view unit_text(UnitSystem units, Unit unit);
 
 /// A unit of length of the metric system and the unit that replaces it in the inch system.
@@ -40,36 +41,37 @@ struct KeyUnit {
   long double size;               ///< size of the inch unit, in metric units
   bool inverse;                   ///< true for units 1/length
 
-  /// The functions convert a value to the inch unit and back. A number of up to 12 digits in inch
-  /// is unchanged by to_metric() followed by to_inch().
+  /// These functions convert a value to the inch unit and back. A number in inch with up to 12
+  /// digits does not change if to_metric() and then to_inch() convert it.
   double to_inch(double metric_value) const;
   double to_metric(double inch_value) const;
 };
 
-/// The unit of a key or of a path of keys, for example of "gear1.measured.span_mm.3". Null if this
-/// is not a unit of length, because other units are the same in both systems.
+/// Returns the unit of a key or of a path of keys, for example of "gear1.measured.span_mm.3".
+/// Returns null if the unit is not a unit of length. Such units are the same in both systems.
 const KeyUnit* metric_unit(std::string_view key);
-/// The unit of a key in an inch spec, for example of "gear1.face_width_in". Null for keys whose
-/// unit is the same in both systems.
+/// Returns the unit of a key in an inch spec, for example of "gear1.face_width_in". Returns null
+/// for keys whose unit is the same in both systems.
 const KeyUnit* inch_unit(std::string_view key);
 
-/// True if the numbers under this key have the unit that the key of the enclosing table gives. An
-/// example is `3` in span_mm = { 3 = 19.751 }.
+/// True if the key of the enclosing table gives the unit of the numbers under this key. An example
+/// is `3` in span_mm = { 3 = 19.751 }.
 bool is_in_unit_of_table(std::string_view key);
 
-/// The name that a key or a path of the catalogue has in this system. In inch, for example,
-/// "face_width_mm" becomes "face_width_in".
+/// Returns the name of a key or a path of the catalogue in this system. For example,
+/// "face_width_mm" becomes "face_width_in" in inch.
 std::string key_in(UnitSystem units, std::string_view key);
-/// The name that a key of an inch spec has in the catalogue. For example, "face_width_in" becomes
-/// "face_width_mm".
+/// Returns the name that a key of an inch spec has in the catalogue. For example, "face_width_in"
+/// becomes "face_width_mm".
 std::string metric_key(std::string_view key);
 
-/// A sentence in this system. Names of keys, and numbers before " mm" or " µm" or after "key = ",
-/// are converted. If the sentence is about a key with the unit `of`, numbers without a unit after
-/// "between", "than", "least" and similar words are also converted. A second call changes nothing.
+/// Returns a sentence in this system. The function converts names of keys, and numbers before " mm"
+/// or " µm" or after "key = ". If the sentence is about a key with the unit `of`, it also converts
+/// numbers without a unit after "between", "than", "least" and similar words. A second call changes
+/// nothing.
 std::string sentence_in(UnitSystem units, std::string_view sentence, const KeyUnit* of = nullptr);
 
-/// A text of numbers in this unit, such as "[99, 101]", converted to the unit that replaces it.
+/// Converts a text of numbers in this unit, such as "[99, 101]", to the unit that replaces it.
 std::string numbers_in(UnitSystem units, std::string_view text, const KeyUnit& unit);
 
 }  // namespace gearwright

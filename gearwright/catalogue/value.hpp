@@ -1,7 +1,7 @@
 // A value of a result, for all interfaces: null, a flag, a number, a word, a list or a record.
 //
 // The getters of the catalogue return values in the unit of the key. JSON, tables, CSV, Python and
-// the browser convert a value to their own types, independently of its origin.
+// the browser convert any value to their own types in the same way, whichever getter returned it.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class Value {
 
   // NOLINTBEGIN(google-explicit-constructor): implicit, so that getters can return these types.
   Value() noexcept;  ///< no value, which is null in JSON
-  // These are defined in value.cpp, where Member is complete. clang requires this for functions
-  // that may destroy the variant.
+  // These constructors are defined in value.cpp, where Member is complete. clang requires this for
+  // functions that may destroy the variant.
   Value(bool flag);
   Value(int whole);
   Value(long whole);
@@ -56,8 +56,8 @@ class Value {
   Value(const Vec2& p);
   Value(const Vec3& p);
   // NOLINTEND(google-explicit-constructor)
-  // These are not inline, because inlining them into every getter would double the object code of
-  // the catalogue.
+  // These functions are not inline, because inlining them into every getter would double the object
+  // code of the catalogue.
   Value(const Value& other);
   Value(Value&& other) noexcept;
   Value& operator=(const Value& other);
@@ -69,7 +69,7 @@ class Value {
   const ValueList* list() const { return std::get_if<ValueList>(&variant_); }
   const ValueRecord* record() const { return std::get_if<ValueRecord>(&variant_); }
   const ValueMap* map() const { return std::get_if<ValueMap>(&variant_); }
-  /// The value as a double if it is a double or a whole number, otherwise nothing.
+  /// Returns the value as a double if it is a double or a whole number, and otherwise none.
   std::optional<double> number() const {
     if (const auto* x = std::get_if<double>(&variant_)) return *x;
     if (const auto* n = std::get_if<long long>(&variant_)) return static_cast<double>(*n);
@@ -81,10 +81,10 @@ class Value {
 };
 
 struct Member {
-  const QuantityInfo* info;  ///< points into the catalogue, which exists as long as the program
-                             ///< runs
+  const QuantityInfo* info;  ///< points into the catalogue, which exists for the whole run of the
+                             ///< program
   Value value;
-  bool shown = true;  ///< true if users see a row; the row has a dash if there is no value
+  bool shown = true;  ///< true if users see a row; if there is no value, the row has a dash
 };
 
 /// True if `value` is null, or if it is a list in which every value is null.

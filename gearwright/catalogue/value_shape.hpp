@@ -1,6 +1,6 @@
-// The shape of a value of a result: the lengths of its lists, and whether the value can be null.
-// The shape follows from the type of the getter, so entries of the catalogue state only the facts
-// that do not follow from this type.
+// The shape of a value of a result. It consists of the lengths of its lists, and of whether the
+// value can be null. The shape follows from the type of the getter. Entries of the catalogue
+// therefore state only the facts that do not follow from this type.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 
 namespace gearwright {
 
-/// The shape of the values of a getter that returns R: the lengths of nested lists, and a flag that
-/// is true if no value is null. A list whose values are all null counts as null. A Value may have
-/// any shape.
+/// The shape of the values of a getter that returns R. It consists of the lengths of nested lists,
+/// and a flag that is true if no value is null. A list whose values are all null counts as null. A
+/// Value may have any shape.
 template <class R>
 struct Shape;
 template <bool always>

@@ -14,7 +14,7 @@ ValueMap values_of(const Finding& finding) {
   return values;
 }
 
-// The path of the member that a change sets, relative to the gear.
+// Returns the path of the member that a change sets, relative to the gear.
 const char* member_of(Adjustable what) {
   switch (what) {
     case Adjustable::profile_shift: return "profile_shift";

@@ -1,10 +1,11 @@
-// Minimises a function that is slow to compute. The search replaces the function by models. Each
-// model is exact at one point, its center, and quick to evaluate everywhere.
+// Minimises a function that is slow to compute. The search works on models of the function. A model
+// is exact at one point, its center, and is fast to evaluate at any other point.
 //
-// A search covers the part of the bounds within a reach of the center, which is a fraction of the
-// distance between the bounds. The first search covers the whole range. If the function is less at
-// the lowest point of the model than at the center, this point becomes the center of the next
-// model. Otherwise, the same model is searched again within a smaller reach.
+// The reach of a search is a fraction of the distance between the bounds. The search examines only
+// points within the reach of the center. The first search covers the whole range. Then the function
+// is computed at the lowest point of the model. If the function is less there than at the center,
+// this point becomes the center of the next model. Otherwise, the same model is searched again with
+// a smaller reach.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 
 namespace gearwright::detail {
 
-inline constexpr int kMostCenters = 6;  // greatest number of centers in a search
+inline constexpr int kMostCenters = 6;  // greatest number of centers in one call
 // Greatest reach of all searches after the first.
 inline constexpr double kNextReach = 0.25;
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
@@ -33,15 +34,15 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
 }
 
 /// Returns the center at which the function is least. The first center is `center`. The search ends
-/// after kMostCenters models, if a model promises a gain of at most `gain`, or if the reach is
-/// below kLastReach.
+/// after kMostCenters models, when the lowest point of a model is better than the center by at most
+/// `gain`, or when the reach is below kLastReach.
 ///
 ///   model_at(center)               the model that is exact at the center
 ///   value(model, v)                the value of the model at v
 ///   lowest(model, center, reach)   the lowest point of the model within
 ///                                  around(bounds, reach, center); the first search has reach 1
 ///
-/// Laws      the function is not greater at the result than at `center`
+/// Laws      the function at the result is not greater than the function at `center`
 template <class ModelAt, class Value, class Lowest>
 std::vector<double> lowest_by_models(std::vector<double> center, double gain, ModelAt model_at,
                                      Value value, Lowest lowest) {

@@ -25,8 +25,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// The slope dTE/dφ1 in the middle of the mesh of tooth pair 0, if the lead angle of `gear` is
-// changed by `delta_lambda`.
+// Returns the slope dTE/dφ1 in the middle of the mesh of tooth pair 0 after a change of the lead
+// angle of `gear` by `delta_lambda`.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -81,7 +81,7 @@ std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactS
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
-    // Where contact is lost, the slope is NaN, and find_root() then finds no root.
+    // If contact is lost, the slope is NaN, and find_root() finds no root.
     const auto or_lost = [&](double d) { return slope(d).value_or(kNoNumber); };
     const Root root = find_root(or_lost, -kReach, kReach);
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);

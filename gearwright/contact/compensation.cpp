@@ -15,22 +15,22 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when f changes by less than the fraction kLastGain of its value, or by less than
+// A search ends when the relative change of f is below kLastGain, or when the change of f is below
 // kLastGain_rad, which is a hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// The value of f if contact is lost, rad. It is far above all other values, but finite, because the
-// optimiser requires finite values.
+// This value replaces f if contact is lost, rad. It is far above all other values of f. It is
+// finite, because the optimiser requires finite values.
 constexpr double kLost = 1e3;
-// If a task has an aim, kLastGain_rad and kLost are replaced by these two numbers times
-// CompensationAim::same.
+// If a task has an aim, kAimLastGain · CompensationAim::same replaces kLastGain_rad, and kAimLost ·
+// CompensationAim::same replaces kLost.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost of each radian of peak to peak above its limit. Above the limit, the cost of the pattern
+// The cost of each radian by which the peak to peak exceeds its limit. The cost of the pattern
 // without corrections is added as well. Corrections that exceed the limit are therefore never
-// better than no corrections, and f still decreases as the peak to peak approaches the limit.
+// better than no corrections. f still decreases as the peak to peak approaches the limit.
 constexpr double kOverLimit = 100.0;
 
-// Evaluates f, or the aim if there is one, with a given number of positions per pitch.
+// Evaluates the function that is minimised. This is the aim of the task, or f if there is no aim.
 class Judge {
  public:
   using Model = std::function<double(const std::vector<double>&)>;
@@ -76,14 +76,15 @@ class Judge {
       return worst;
     };
   }
-  // All later calls of value() use this model. If the model is empty, value() is exact.
+  // After this call, value() evaluates `model`. If `model` is empty, value() is exact.
   void use(Model model) {
     model_ = std::move(model);
     known_.clear();
   }
   bool uses_model() const { return static_cast<bool>(model_); }
 
-  // Descents from several starts evaluate some corrections repeatedly, so each value is stored.
+  // Descents from several starts evaluate the same corrections repeatedly, so value() stores
+  // results.
   double value(const std::vector<double>& v) {
     const auto [known, is_new] = known_.try_emplace(v, 0.0);
     if (is_new) known->second = computed(v);
@@ -91,8 +92,9 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  // These functions return, for f or for the aim, the smallest relevant difference, the difference
-  // at which a search ends, and the value that replaces f if contact is lost.
+  // The values of these three functions apply to f, or to the aim if there is one. same() returns
+  // the smallest relevant difference, last_gain() the difference at which a search ends, and lost()
+  // the value if contact is lost.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
@@ -135,13 +137,13 @@ class Judge {
   const CompensationTask& task_;
   int positions_;
   double limit_ = kInfinity;                      // limit of the peak to peak, rad
-  double centering_ = 0.0, place_of_none_ = 0.0;  // rad: w; cost of the pattern at v = 0
+  double centering_ = 0.0, place_of_none_ = 0.0;  // rad; w, and the cost of the pattern at v = 0
   Model model_;
   std::map<std::vector<double>, double> known_;
 };
 
-// The corrections that minimise the sum of the squares of TE over all scenarios, with TE
-// linearised at v = 0. The mean of each TE curve is subtracted first.
+// Returns the corrections that minimise the sum of the squares of TE over all scenarios. TE is
+// linearised at v = 0, and the mean of each TE curve is subtracted first.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
@@ -185,7 +187,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
                          const double f = judge.value(x);
                          return std::isfinite(f) ? f : judge.lost();
                        }};
-  // A search of the whole box by a model does not end early, because a narrow optimum may lie at
+  // A search of the whole box by a model must not end early, because a narrow optimum may lie at
   // the border of the box.
   if (how == Minimiser::whole_box && judge.uses_model()) search.relative_gain = search.gain = 0.0;
   for (const Correction& c : box) {
@@ -196,7 +198,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
-// The fraction of the gain that may be lost when values are rounded or a value is set to 0.
+// The fraction of the gain that rounding a value, or setting a value to 0, may lose.
 constexpr double kPartLost = 0.01;
 
 // The best corrections so far, and the value of f (or of the aim) for them.
@@ -221,8 +223,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // TE curves take most of the time, so their total number is limited. The limit does not increase
-  // with the number of scenarios.
+  // The program spends most of its time on TE curves, so their total number is limited. The limit
+  // is the same for any number of scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
@@ -236,15 +238,16 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
     best.take(start);
     best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, 1.0, start));
   }
-  // A crease of f may have stopped a search, so the search is repeated with smaller steps.
+  // A search may have stopped at a crease of f, so the search is repeated with smaller steps.
   for (const double step : {1.0, 0.1, 0.01})
     best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, step, best.v));
   return best.v;
 }
 
-// Like searched(), but if the aim has an estimate, all trials use the estimate. The search is then
-// repeated around the best corrections, with the estimate that is exact for these corrections.
-// If the value without corrections is not finite, no estimate is used.
+// Works like searched(), but evaluates the estimate of the aim instead of the aim. The search is
+// then repeated around the best corrections, with the estimate that is exact for these corrections.
+// If the aim has no estimate, or if its value without corrections is not finite, searched() is
+// used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
@@ -265,8 +268,8 @@ std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) 
   return found;
 }
 
-// The final corrections. They are found with as many positions as the reported scores use, because
-// a peak of TE may lie between the coarser positions of the search.
+// Returns the final corrections. They are computed with as many positions as the reported scores,
+// because a peak of TE may lie between the positions of the coarser search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -284,7 +287,7 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   if (!(best.least < none - same)) return zero;
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
-    // Rounding may move a value beyond a crease of f, so the neighbours of each value are tried.
+    // Rounding may move a value across a crease of f, so the neighbours of each value are tried.
     Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
@@ -299,8 +302,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // The last steps used estimates. The exact values of three cases are therefore compared: the
-  // result of these steps, the result of the search, and no corrections.
+  // The last steps used estimates. The final choice compares the exact values of three cases: the
+  // result of the last steps, the result of the search, and no corrections.
   const std::vector<double> written = as_written(task.corrections, found, 1e4);
   const double refined = fine.value(best.v), searched = fine.value(written);
   if (!(std::min(refined, searched) < none - same)) return zero;
@@ -348,8 +351,8 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
-// If no teeth exist at a bound with all other corrections at 0, moves this bound towards 0 until
-// teeth exist there. Otherwise, most trials of the search would be corrections without teeth.
+// Moves a bound towards 0 if no teeth exist with this correction at its bound and all other
+// corrections at 0. Without this step, most trials of the search would have no teeth.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {

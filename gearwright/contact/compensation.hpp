@@ -1,12 +1,11 @@
-// Computes corrections that centre the contact pattern and minimise the greatest transmission
-// error that any of several sets of errors causes.
+// Computes corrections that centre the contact pattern and minimise the transmission error. Errors
+// are given as several sets, and the worst set counts.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (q² + p²)      [T8.24] of docs/theory/08-contact.md
 //
-//   TE  transmission error as a continuous curve. The peak to peak of its values at the computed
-//       positions alone would depend on where one tooth pair takes over from another between the
-//       positions
+//   TE  transmission error as a continuous curve. It is evaluated between the computed positions as
+//       well, because its minima usually lie between two positions
 //   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile; 0 if this position has no target. For
 //       circular-arc teeth, the target is the pressure angle of their racks
@@ -14,10 +13,10 @@
 // If the caller gives w, a greater transmission error is accepted for a more central pattern. With
 // the small default of w, corrections that increase the transmission error are rejected.
 //
-// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a
-// method without derivatives (subplex). This search starts from zero, from the least-squares
-// solution of the linearised problem, from starting values that the caller gives, and from the
-// best point found in the whole box of bounds.
+// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a method
+// without derivatives (subplex). This search has four kinds of start: zero, the least-squares
+// solution of the linearised problem, starting values that the caller gives, and the best point
+// found in the whole box of bounds.
 #pragma once
 
 #include <array>
@@ -42,14 +41,14 @@ struct Correction {
 /// A quantity that is minimised instead of the transmission error of rigid teeth. If a task has
 /// such an aim, the position of the pattern is ignored.
 struct CompensationAim {
-  /// Returns the quantity of a pair, in any unit. The second argument is the number of
-  /// positions per pitch. Infinity means that the pair is worse than all others.
+  /// Returns the quantity of a pair, in any unit. The second argument is the number of positions
+  /// per pitch. Infinity marks the worst possible pair.
   std::function<double(const ContactPair&, int)> of;
   /// Returns a function that estimates the quantity of the pair after its corrections have changed
   /// by `change`. The estimate is exact if `change` is 0. `near` is empty if there is no estimate.
   using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
-  /// Smallest improvement for which corrections are made, in the unit of the quantity, > 0.
+  /// The smallest improvement that justifies a correction, in the unit of the quantity, > 0.
   double same = 0.0;
 };
 
@@ -62,39 +61,41 @@ struct CompensationTask {
   /// w, the cost of a pattern at the end of the face. If it is absent, default_centering() is used,
   /// and corrections must not increase the transmission error.
   std::optional<Angle> centering{};
-  /// False if q is ignored, because the contact point moves along the whole face in any case.
+  /// False if q is ignored. This is useful if the contact point moves along the whole face anyway.
   bool along_face = true;
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;
   std::optional<CompensationAim> aim{};  ///< minimised in place of f, if present
-  /// The pair with these corrections under the scenario of this index; null if it cannot be made.
+  /// Returns the pair with these corrections under the scenario with this index. The result is null
+  /// if the pair cannot be made.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
 
-/// The tool setting Δb_F that compensates ΔC, and its effect. Lengths in mm.
+/// The change of the tool setting Δb_F that compensates the error ΔC of the centre distance, and
+/// its effect. Lengths are in mm.
 struct SettingAnswer {
   double exact, first_order;             ///< Δb_F by [T8.20], and its first order −ΔC [T8.21]
   std::optional<Angle> angle_nominal;    ///< θ, normal angle at the contact, without ΔC
   std::optional<Angle> angle_displaced;  ///< θ with ΔC
-  std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC and the respective setting
+  std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC, after each setting
   /// Change of the normal thickness of the tooth that F cuts, at the height of the contact.
   double thickness_change;
   double backlash_change;  ///< change of the normal backlash, for the exact setting only
 };
-/// The tool setting that compensates the error of the centre distance in `setup`. None if no
-/// gear is cut by a rack F, or if the teeth have no contact without this error.
+/// Returns the tool setting that compensates the error of the centre distance in `setup`. Returns
+/// none if no gear is cut by a rack F, or if the teeth have no contact without this error.
 std::optional<SettingAnswer> arc_setting(const ArcPair& arcs, const ContactSetup& setup);
 
-/// For each gear, the change of its lead angle that makes the slope of TE zero if the lead
-/// angle of the other gear remains unchanged. [T8.22]
+/// The corrections of the lead angles. Each correction alone makes the slope of TE zero, while the
+/// lead angle of the other gear remains unchanged. [T8.22]
 struct LeadAnswer {
   std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
   double slope;  ///< dTE/dφ1 in the middle of the mesh, before the correction
 };
-/// The changes of the lead angles under the errors in `setup`. None if the teeth are spur teeth
-/// or if tooth pair 0 does not touch. There is no such function for involute pairs, because
+/// Returns the changes of the lead angles under the errors in `setup`. Returns none if the teeth
+/// are spur teeth or if tooth pair 0 does not touch. Involute pairs need no such function, because
 /// they touch along lines, and helix slope modifications correct their lead.
 std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactSetup& setup,
                                              bool gear2_drives);
@@ -105,21 +106,21 @@ struct Compensation {
   std::vector<ContactScore> each_before, each_after;  ///< one score per scenario
   Angle centering;                                    ///< w
 
-  /// True if every value is 0. This is the case if no corrections lower f by more than
-  /// kSameError (or the aim by more than CompensationAim::same).
+  /// True if every value is 0. All values are 0 if no corrections lower f by more than kSameError.
+  /// With an aim, the limit is CompensationAim::same.
   bool nothing_to_correct() const;
 };
 
-/// Smaller differences of the transmission error cannot be measured.
+/// The smallest difference of the transmission error that can be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
 /// A pair counts as free of error if the peak to peak of its TE is below this angle. At a radius of
 /// 50 mm, this angle corresponds to 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
-/// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE
-/// then dominates f. The position of the pattern matters only between pairs with about the same
-/// small TE.
+/// Returns the default of w, a tenth of the peak to peak without corrections, but at least 0.1
+/// arcsec. With this w, TE dominates f. The position of the pattern decides only between pairs
+/// whose TE is small and about the same.
 Angle default_centering(Angle peak_to_peak);
 
 /// Rounds the values for a drawing. Each result is a multiple of step/parts of its correction, lies
@@ -134,14 +135,15 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
 ///
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
-/// Accuracy  a local minimum of f, namely the lowest that a deterministic search of the whole box
+/// Accuracy  a local minimum of f: the lowest one that a deterministic search of the whole box
 ///           (DIRECT) and descents from several starts find. Values are multiples of a hundredth of
-///           `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
-///           values are 0 if the gain is below kSameError. Without an aim, a value is 0 if the
-///           other corrections alone reach the same f within kSameError and 1 % of the gain
-/// Laws      (1) f(value) <= f(0) at fine_positions. If there is an aim, the worst value of the aim
-///               over the scenarios is not greater with the corrections than without
-///           (2) without a given w and without an aim, after.span is at most the greater of
+///           `step`. If this rounding loses more than 1 % of the gain, a smaller fraction of
+///           `step` is used. All values are 0 if the gain is below kSameError. Without an aim, a
+///           value is 0 if the other corrections alone reach the same f within kSameError and 1 %
+///           of the gain
+/// Laws      (1) f(value) <= f(0) at fine_positions. With an aim, the worst value of the aim over
+///               the scenarios is not greater with the corrections than without
+///           (2) if w is not given and there is no aim, after.span is at most the greater of
 ///               before.span + kSameError and kQuiet
 Compensation compensate(const CompensationTask& task);
 

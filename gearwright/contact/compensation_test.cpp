@@ -88,8 +88,8 @@ TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   EXPECT_LT(std::abs(found.after.along_face), 0.02);
 }
 
-// The error of an uncrowned pair is the mirror image of one slope, which removes it completely.
-// Crowning then has nothing to improve.
+// One helix slope is the mirror image of the error of an uncrowned pair, and this slope removes the
+// error completely. Crowning then has nothing to improve.
 TEST(Compensation, uncrowned_flanks_need_no_crowning) {
   for (const double error_um : {-40.0, 10.0}) {
     Case c;
@@ -107,8 +107,9 @@ TEST(Compensation, uncrowned_flanks_need_no_crowning) {
   }
 }
 
-// If slopes within a range have the same continuous transmission error, the slope at which the
-// contact lies in the middle of the face is chosen. The touches of a scan find this slope.
+// If several slopes within a range have the same continuous transmission error, the slope with the
+// contact nearest to the middle of the face is chosen. A scan over the slopes finds this slope by
+// the place of the contact alone.
 TEST(Compensation, equal_errors_are_decided_by_the_place) {
   for (const double crossing : {0.02, -0.04}) {
     Case c = crowned(18, crossing);

@@ -98,8 +98,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
-  // At each position, finding the touch counts as one step of progress, describing the touch as
-  // another step, and each influence as one more step.
+  // The progress counts several steps per position: one for finding the touch, one for describing
+  // the touch, and one for each influence.
   const auto wanted =
       static_cast<std::int64_t>(rotations.size()) *
           static_cast<std::int64_t>(2 + request.influences.size()) +
@@ -112,8 +112,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
                                   : "computing the positions",
               wanted);
   if (rotations.empty()) {
-    // Errors of mounting do not rotate with the gears. All pitches therefore have the same touches,
-    // but the number of the tooth pair increases by one per pitch.
+    // Errors of mounting do not rotate with the gears, so all pitches have the same touches. Only
+    // the number of the tooth pair increases by one per pitch.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);
     for (int i = 0; i < request.pitches * n; ++i) {

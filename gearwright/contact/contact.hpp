@@ -1,8 +1,8 @@
 // Tooth contact analysis of a mounted pair with errors, over one pitch or more.
 //
-// The parts of the analysis are the field T of two flanks (gap_field.hpp), the search for its
-// greatest value (touch.hpp), the tooth pairs over a pitch (transmission.hpp) and the description
-// of a touch (contact_point.hpp).                    theory: docs/theory/08-contact.md
+// The analysis uses four other files. gap_field.hpp computes the field T of two flanks, and
+// touch.hpp finds the greatest T. transmission.hpp follows the tooth pairs over a pitch, and
+// contact_point.hpp describes a touch.                    theory: docs/theory/08-contact.md
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
   int pitches = 1;                 ///< length of the analysed range, ≥ 1
   double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
-  std::vector<Angle> rotations{};  ///< rotations of gear 1 to analyse; empty for equal steps
+  std::vector<Angle> rotations{};  ///< rotations of gear 1 to analyse; if empty, equal steps
   std::vector<Influence> influences{};
   Progress* progress = nullptr;
 };
@@ -45,28 +45,28 @@ struct ContactResult {
 /// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
-/// The play of gear 2 at one position: the angle by which gear 2 can rotate between contact of
-/// the working flanks and contact of the non-working flanks. It is negative if the gears jam.
-/// None if the working or the non-working flanks have no contact.
+/// Returns the play of gear 2 at one position. The play is the angle by which gear 2 can rotate
+/// from contact of the working flanks to contact of the non-working flanks. It is negative if the
+/// gears jam. Returns none if the working or the non-working flanks have no contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
-/// The least play_between() over all positions. Both results must have the same positions.
+/// Returns the least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
-/// True if the gears jam at this least play. This is the case if least_play · r cos β is at most
+/// True if the gears jam at this least play. The condition is least_play · r cos β <=
 /// −no_backlash(m_n), where r and β are the reference radius and the helix angle of `moved`. A
 /// smaller overlap may result from rounding of the centre distance or of the profile shifts.
 /// `moved` is gear 2, or the pinion if gear 2 is a rack.
 ///
 /// Formula   the product of play and r cos β is the normal backlash at the reference cylinder,
-///           which is j_n cos α_wn/cos α_n. It is compared with a limit for j_n, because it differs
-///           from j_n by at most 8 % (α_n = 20°, α_wn from 15° to 30°). The base circle backlash
-///           j_bn is the product times cos α_n, so this limit is not a limit of j_bn
+///           j_n cos α_wn/cos α_n. It differs from j_n by at most 8 % (α_n = 20°, α_wn from 15° to
+///           30°), so it is compared with a limit for j_n. The base circle backlash j_bn is the
+///           product times cos α_n, so this limit is not a limit of j_bn
 bool jams(Angle least_play, const Gear& moved);
 
-/// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the
-/// housing is `first` + i pitch/n. If `track` is not null, the result of LaneTrack::of() is
-/// stored in it. If that result is a LaneTrack, its touches are returned.
+/// Returns the touches at n positions over one pitch. At position i, the rotation of gear 1 in the
+/// housing is `first` + i pitch/n. If `track` is not null, the function stores the result of
+/// LaneTrack::of() there and, if this result exists, returns its touches.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track = nullptr);
 
@@ -77,13 +77,13 @@ std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te, int most = 20);
 
-/// TE at equal steps over one pitch, beginning at −1/2 pitch, rad; NaN where contact is lost.
+/// Returns TE at equal steps over one pitch, from −1/2 pitch on, rad. TE is NaN if contact is lost.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
 /// Greatest minus least value; NaN if all values are NaN.
 double peak_to_peak(const std::vector<double>& te);
 
-/// Greatest minus least value of a TE in rad; none if contact is lost at all positions.
+/// Returns the greatest minus the least value of a TE in rad, or none if no position has contact.
 std::optional<Angle> sampled_peak_to_peak(const std::vector<double>& te);
 
 }  // namespace gearwright

@@ -14,9 +14,8 @@ namespace {
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// The type of a border of a cell: ridge or seam. The border is an end of the range of u if `of_u`
-// is true, and otherwise an end of the range of z. If `below` is true, it is the lower end, and
-// otherwise the upper end.
+// Returns the type of a border of a cell: ridge or seam. `of_u` selects a border at an end of the
+// range of u instead of z. `below` selects the lower end instead of the upper end.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -71,8 +70,8 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const double apart = mirror() * g2.twist() * (middle(2) - middle(1));
   add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror()), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
-  // Points of gear 1 that are farther than the angle reach_ from the mesh azimuth lie outside the
-  // annulus of the mating gear's teeth.
+  // Points of gear 1 at an angle greater than reach_ from the mesh azimuth cannot touch gear 2,
+  // because they lie outside the annulus of its teeth.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
     double r = greatest ? 0.0 : std::numeric_limits<double>::infinity();
     for (const FlankPatch& p : patches)
@@ -178,8 +177,9 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.piece = cell.piece;
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
-      // Borders of the field and of the profile differ by the rounding of ln ρ. A cell that
-      // overlaps this piece of the profile only by rounding belongs to a neighbour of this piece.
+      // The borders of the field and of the profile differ by the rounding of ln ρ. A cell that
+      // overlaps this piece of the profile only by this difference belongs to the neighbouring
+      // piece.
       constexpr double kSameBorder = 1e-12;  // in u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {
@@ -193,7 +193,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       const double z_b = turned() * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
-      // In the frame N, z may have the opposite sign of z in the RemovalField.
+      // z in the frame N may have the opposite sign of z in the RemovalField.
       if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned() > 0.0);
       if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned() < 0.0);
       patches_[which].push_back(c);

@@ -1,14 +1,15 @@
-// Two mounted gears for the contact analysis. Their touching flanks are divided into smooth
-// patches, in a frame N in which all kinds of pair are treated alike.
+// Describes two mounted gears for the contact analysis. Their touching flanks are divided into
+// smooth patches. A common frame N allows the same formulas for all kinds of pair.
 //
 //   Housing f   the frame of kinematics/pose.hpp; errors tilt and shift axis 1, and ΔC moves axis 2
-//   World N     the frame in which gear 2 turns counter-clockwise and is touched on the clockwise
+//   World N     the frame in which gear 2 turns counter-clockwise, and gear 1 touches the clockwise
 //               side of its tooth
 //               external pair, gear 1 drives    N = f
 //               internal pair                   N = f with −y; both gears turn in the same sense
 //               gear 2 drives                   half a turn about x, (y, z) → (−y, −z), and both
 //                                               rotations change sign
 //                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
+// Tooth pair k moves as pair 0 does, but k pitches of gear 1 later.
 //
 // Tooth pair k repeats the motion of pair 0, k pitches of gear 1 later.
 #pragma once
@@ -36,13 +37,13 @@ struct ContactErrors {
   bool operator==(const ContactErrors&) const = default;
 };
 
-/// The errors of a mounting after reflection in the plane z = 0. Errors of the teeth do not change,
-/// because they are the same for both halves of a double-helical gear.
+/// Returns the errors of a mounting after reflection in the plane z = 0. The errors of the teeth do
+/// not change, because both halves of a double-helical gear have the same errors.
 ContactErrors mirrored(const ContactErrors& errors);
 
 struct ContactGear {
   const Gear* gear = nullptr;
-  /// Material removed from the right (y < 0) and from the left flank; null if nothing is removed.
+  /// Material removed from the right (y < 0) and from the left flank; null if none is removed.
   std::array<const RemovalField*, 2> removal{};
 };
 
@@ -53,8 +54,9 @@ struct ContactMount {
   Angle axis_angle{};
   bool gear2_drives = false;
   ContactErrors errors;
-  /// z of the middle of each face, mm; 0 except for a half of a double-helical gear. Errors tilt
-  /// axis 1 about its point at z = 0. Pair 0 at rotation 0 is in mesh in the section z = middle[0].
+  /// z of the middle of each face, mm. It is 0 except for a half of a double-helical gear. Errors
+  /// tilt axis 1 about its point at z = 0. At rotation 0, pair 0 is in mesh in the section z =
+  /// middle[0].
   std::array<double, 2> middle{};
   /// True if root fillets and rounded tips are included. The analysis then also finds tips that
   /// touch a fillet before the flanks touch. Rounded tips of modified flanks are not included,
@@ -66,11 +68,12 @@ struct ContactMount {
 
 class ContactPair {
  public:
-  /// Domain  gear 1 is external, and both gears exist and have a flank; any numbers of teeth
-  ///         (contract)
+  /// Domain  gear 1 is external, both gears exist and have a flank; the numbers of teeth are
+  ///         arbitrary (contract)
   ContactPair(const ContactGear& gear_1, const ContactGear& gear_2, const ContactMount& mount);
-  /// A pinion and its rack. The rack has no modifications and no errors of its teeth. The rotation
-  /// of gear 2 then means the travel of the rack divided by the reference radius of the pinion.
+  /// Makes the pair of a pinion and its rack. The rack has no modifications and no errors of its
+  /// teeth. In place of the rotation of gear 2, results contain the travel of the rack divided by
+  /// the reference radius of the pinion.
   /// [T8.29]
   ///
   /// Domain  an axis angle of 0, no fillets (contract)
@@ -102,11 +105,13 @@ class ContactPair {
   Vec3 in_housing(const Complex& w1, double z) const;
   /// Converts a vector from the frame N to the housing frame.
   Vec3 in_housing(const FreeVector<World>& v) const;
-  /// A direction in the housing after errors have tilted it together with axis 1.
+  /// Returns `direction`, a direction in the housing, after errors have tilted it together with
+  /// axis 1.
   Vec3 tilted(const Vec3& direction) const;
   /// Rotates vectors from the frame of gear 1, before mounting, to the frame N.
   const LinearMap<World, Axis1>& tilt() const { return tilt_; }
-  /// σ of ContactMount: −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1.
+  /// −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1. This is σ of
+  /// ContactMount.
   double mirror() const { return internal_ ? -1.0 : 1.0; }
   /// −1 if z in the frame N is −z in the housing, otherwise 1.
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }

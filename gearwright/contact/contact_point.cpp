@@ -11,7 +11,8 @@ namespace {
 
 using End = FlankPatch::End;
 
-// The kind of touch at bound j of D (touch.hpp); none if the flank continues in the next patch.
+// Returns the kind of touch at bound j of D (touch.hpp). Returns none if another patch of the same
+// flank begins there.
 TouchKind kind_of(const GapField& field, int j) {
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();
@@ -52,8 +53,8 @@ struct Place {
   double s, z;
 };
 
-// The part of a straight line through the touch on which the flanks stay in contact. The line has
-// the direction in which T has the least curvature.
+// Follows the straight line through the touch along which T has the least curvature, and finds the
+// part of this line on which the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -77,7 +78,7 @@ class LineWalk {
   // True if the curvature at the touch permits a gap below kLineGap over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // The two points at which the line leaves D; none if the gap opens before the line leaves D.
+  // Returns the two points at which the line leaves D. Returns none if the gap opens inside D.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -86,7 +87,7 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A line shorter than kPoint cannot be distinguished from a point and counts as a point.
+    // A line shorter than kPoint counts as a point.
     constexpr double kPoint = 1e-6;  // shortest line, relative to half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
@@ -100,7 +101,7 @@ class LineWalk {
             touch_.touch.z + t * direction_[1] * z_half_};
   }
 
-  // The bounds of D at a place. They do not depend on the parameter on flank 2.
+  // Returns the bounds of D at a place. The parameter on flank 2 does not affect the bounds.
   std::array<double, detail::kBounds> bounds(const Place& p) const {
     double s2 = touch_.touch.s2;
     const GapJet j = search_.field().at(p.s, p.z, s2);
@@ -114,7 +115,7 @@ class LineWalk {
     return (touch_.touch.te - j.t.v) * GapField::arm(j) < kLineGap;
   }
 
-  // The greatest multiple of kStep, at most kMost, up to which the line lies inside D.
+  // Returns the greatest multiple of kStep, at most kMost, up to which the line lies inside D.
   double last_inside(int sense) const {
     constexpr double kMost = 4.0;  // in half lengths of the patch; longer than its diagonal
     constexpr double kStep = 0x1p-48;
@@ -156,8 +157,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the
-// edge touches along its whole length.
+// True if a bound is active with a positive multiplier. The touch is then at an edge. This is true
+// even if the whole length of the edge touches.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   const Touch& t = touch.touch;

@@ -31,14 +31,15 @@ enum class TouchKind {
   corner
 };
 std::string_view to_string(TouchKind kind);
-/// True for edges of a tooth, which should not touch. The start of a relief is not an edge.
+/// True for the edges of a tooth, at which no contact should occur. The start of a relief is no
+/// edge.
 bool is_edge(TouchKind kind);
-/// True for edges and for ridges. The slope of the surface jumps there, so there is no contact
-/// ellipse, and a computed pressure is only a lower bound.
+/// True for edges and for ridges. The slope of the surface jumps there. There is no contact
+/// ellipse, and a computed pressure is only a lower bound of the actual pressure.
 bool is_sharp(TouchKind kind);
 
-/// A line along which the gap stays below this value, mm, counts as a contact line. No real flank
-/// is that smooth.
+/// If the gap along a line stays below this value, mm, the line counts as a contact line. Real
+/// flanks have greater deviations.
 inline constexpr double kLineGap = 1e-6;
 
 struct ContactEllipse {
@@ -62,7 +63,7 @@ struct ContactRidge {
 };
 
 /// Converts angles of gear 2 to lengths if gear 2 is a rack. Results store the travel of a rack as
-/// the angle travel/r, by which the pinion rolls along the rack.
+/// the angle travel/r. The pinion rolls along the rack by this angle.
 struct RackTravel {
   double radius = 0.0;  ///< reference radius r of the pinion, mm; 0 if gear 2 is not a rack
   explicit operator bool() const { return radius > 0.0; }
@@ -91,7 +92,8 @@ struct ContactPoint {
 /// True if a touch lies at a seam and T rises beyond it. Such a touch is not a point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
-/// True if an edge of a tooth touches. This is faster than is_edge() of the kind from describe().
+/// True if an edge of a tooth touches. This test is faster than is_edge() of the kind from
+/// describe().
 bool on_edge(Transmission& transmission, const PairTouch& touch);
 
 /// Describes a touch.

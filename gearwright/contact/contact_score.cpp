@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoPlace = 1e-9;  // smaller mean positions (h, p, q) are rounding errors
+constexpr double kNoPlace = 1e-9;  // magnitudes of h, p and q below this value are rounding errors
 
 // The gap at which the density of the contact pattern is 1/e, mm. A small load closes such a gap.
 constexpr double kPatternGap = 1e-3;
@@ -28,9 +28,9 @@ Interval face_of(const ContactPair& pair, int gear) {
   return face;
 }
 
-// The middle of the contact pattern at one position, relative to the common part of the faces. The
-// gap opens along the contact line from the touch, with the slope and the curvature of T there. The
-// middle is the mean height with the weight exp(−gap/kPatternGap).
+// Returns the middle of the contact pattern at one position, relative to the common part of the
+// faces. The gap along the contact line is a parabola with the slope and the curvature of T at the
+// touch. The middle is the mean height with the weight exp(−gap/kPatternGap).
 double pattern_middle(Transmission& transmission, const PairTouch& t,
                       const std::array<Interval, 2>& faces) {
   const GapJet j = transmission.jet_at(t, t.touch.s, t.touch.z);
@@ -98,7 +98,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
     }
     c.te.push_back(t.te());
     ++n;
-    // On a contact line every point touches, so the touch has no definite position along the face.
+    // Every point of a contact line touches, so the touch has no definite position along the face.
     if (!t.touch.flat) height += transmission.pair().turned() * t.touch.z / z_half;
     if (target.width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
@@ -115,7 +115,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
 }
 
 void take_worst(ContactScore& worst, const ContactScore& s) {
-  // NaN is set explicitly, because std::max of NaN and a number depends on their order.
+  // std::max of NaN and a number depends on the order of its arguments, so NaN is set explicitly.
   if (s.nothing_touches() || worst.nothing_touches()) {
     worst.peak_to_peak = Angle::radians(kNoNumber);
   } else {

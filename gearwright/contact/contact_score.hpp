@@ -1,4 +1,4 @@
-// A few numbers that describe the quality of the contact of a pair. Corrections improve them.
+// Computes a few numbers that describe the quality of the contact of a pair.
 //
 //   TE  transmission error (transmission.hpp)     N   frame of contact_pair.hpp
 //   h   mean position of the contact along the face, −1 to 1, towards +z
@@ -6,8 +6,8 @@
 //   p   mean position of the contact along the profile, relative to a target; 0 without a target
 //
 // The touches are the points at which rigid teeth meet. If a flank without crowning has a slope
-// error of a nanometre, its touches lie at an end of the face, although the teeth bear on the whole
-// face. h is then ±1, and q is 0.
+// error of a nanometre, its touches lie at an end of the face, although the whole face carries the
+// load. In this case, h is ±1, and q is 0.
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 

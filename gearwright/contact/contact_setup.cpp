@@ -137,7 +137,8 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // a check value, which is valid for the nominal setting only
+    // The pressure angle is a check value, which is valid for the nominal tool setting only.
+    rack->pressure_angle.reset();
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())

@@ -1,5 +1,5 @@
-// A mounted pair for the contact analysis, with its gears, modifications and errors. Corrections
-// turn it into another setup.
+// A mounted pair for the contact analysis, with its gears, modifications and errors. A correction
+// of the teeth gives a new setup.
 //
 // A ContactSetup owns the gears and the fields of removed material to which a ContactPair points.
 #pragma once
@@ -23,7 +23,7 @@ constexpr bool is_slope(Modification m) {
   return m == Modification::lead_slope || m == Modification::profile_slope;
 }
 
-/// Changes made by a workshop. All amounts are added to the amounts on the drawing.
+/// Corrections that a workshop makes. Each amount is added to the amount on the drawing.
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
@@ -35,8 +35,8 @@ struct SetupChange {
 
 class ContactSetup {
  public:
-  /// Makes the setup of a pair. `fields` selects gears that get a field of removed material even if
-  /// nothing is removed, because derivatives need the field.
+  /// Makes the setup of a pair. If `fields` is true for a gear, the gear gets a field of removed
+  /// material even if nothing is removed, because derivatives need the field.
   ///
   /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
   ///           `errors.cutter_lead[N]` as check_cutter_lead
@@ -47,28 +47,29 @@ class ContactSetup {
   /// The pair for the analysis. It refers to the data of this setup, which must outlive the pair.
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
-  /// The pair under these errors. It owns a copy of this setup, which need not outlive the pair.
+  /// Returns the pair under these errors. The pair owns a copy of this setup and may outlive it.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// The pair with root fillets and rounded tips in addition to the flanks. None if the cutter of a
-  /// gear has a changed lead angle and the root of this gear was not cut by a rack.
+  /// Returns the pair with root fillets and rounded tips in addition to the flanks. Returns none if
+  /// the cutter of a gear has a changed lead angle and no rack cut the root of this gear.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
   const RemovalField* removal(int gear, bool left) const;
-  /// The setup after this change; an error if no teeth with this change exist.
+  /// Returns the setup after this change, or an error if the change leaves no teeth.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
-  /// This setup, but with these modifications.
+  /// Returns this setup with other modifications.
   ///
   /// Errors    `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
-  /// One half of a double-helical pair. `middle` contains z of the middle of each face. If `below`,
-  /// the half is at z < 0 and is represented by its mirror image in the plane z = 0.
+  /// Returns the setup of one half of a double-helical pair. `middle` contains z of the middle of
+  /// each face. If `below` is true, the half lies at z < 0, and the setup describes its mirror
+  /// image in the plane z = 0.
   ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
-  /// The setup in which the gears selected by `wanted` have fields of removed material, even if
-  /// nothing is removed, because derivatives need the fields.
+  /// Returns this setup with fields of removed material on the gears that `wanted` selects.
+  /// Derivatives need these fields even if nothing is removed.
   ContactSetup with_fields(std::array<bool, 2> wanted) const;
   /// The gear that a rack F cuts, 1 or 2; none for other teeth.
   std::optional<int> convex_gear() const;
@@ -83,19 +84,20 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// True if material is removed from a flank, or if a flank has a relief whose reach is given. The
-/// amount of this relief may be 0.
+/// True if material is removed from a flank, or if the reach of a relief is given. The amount of
+/// this relief may be 0.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
-/// Checks that the lead angle of the cutter can change by this amount. Returns nothing if it can.
+/// Returns an error if the lead angle of the cutter cannot change by this amount, and otherwise
+/// none.
 ///
 /// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter,
 ///           or if the lead angle is not between kMinLead and kMaxLead
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// Converts an error in the modifications of a flank to an error of gear `which`. Side 0 is the
-/// right flank.
+/// Converts an error in the modifications of a flank to an error of gear `which`. If `side` is 0,
+/// the error is one of the right flank.
 Error of_flank(int which, int side, Error error);
 
 /// The usable flank of a gear, to which its modifications apply.
@@ -103,14 +105,15 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position. The text of the error gives the reason,
-/// for example tips that do not reach each other. The field is `errors` or, without errors,
-/// `pair.center_distance`. The second function makes the error for a pair under `errors`, a
-/// scenario of [compensate.range] that is called `name`.
+/// Returns the error for a pair whose teeth touch at no position. The text of the error gives the
+/// reason, for example tips that do not reach each other. The field is `errors` or, without errors,
+/// `pair.center_distance`. The second function applies to a pair under `errors`, a scenario of
+/// [compensate.range] with the name `name`.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// True if the cause of the error is that the teeth touch at no position.
+/// True if the cause of the error is that the teeth touch at no position, or that a gear has no
+/// usable flank.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

@@ -16,9 +16,10 @@ constexpr double kSame = 1e-13;  // rad: values of TE that differ by less than t
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-// Touches that are farther apart than this fraction of the patch are on different crests.
+// Touches on different crests are farther apart than this fraction of the patch.
 constexpr double kNear = 0.08;
-// The curve of TE between the positions, computed from the branches that lead at the positions.
+// The curve of TE between the positions. A branch leads at a rotation if its T is the greatest
+// there. The curve is computed from the branches that lead at the positions.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -28,15 +29,15 @@ class Branches {
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // The touch at position i. If i lies outside the pitch, the touch of the same position within the
-  // pitch is returned, with its pair number.
+  // Returns the touch at position i. If i lies outside the pitch, the function returns the touch of
+  // the equivalent position within the pitch, which has the number of another tooth pair.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The rotation of gear 1 at a touch. For a position outside the pitch, at() returns the touch of
-  // the same position within the pitch, so the result is the rotation at that position.
+  // Returns the rotation of gear 1 at a touch from at(). The touch of a position outside the pitch
+  // belongs to the equivalent position within the pitch, and so does the result.
   double rotation(const PairTouch& touch) const {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
@@ -44,13 +45,13 @@ class Branches {
   // Returns the touch on the branch of `touch` at the rotation that is `steps` later. If this
   // branch has no contact there, found() of the result is false.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // The same, but the search begins at `start`, which may be nearer to the result on this branch.
+  // Does the same, but starts the search at `start`, a touch of this branch nearer to the result.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);
   }
 
-  // True if the branch that leads at i also leads at i + 1.
+  // True if one branch has the greatest T at both i and i + 1.
   bool same(long i) const { return same(at(i), at(i + 1), 1.0); }
   // True if two touches, `width` steps apart, are on the same branch. On wavy flanks, each crest of
   // a tooth pair is a branch.
@@ -64,7 +65,8 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // The fraction of the rotation `way` (in steps) over which the branch of `touch` continues.
+  // Returns the fraction of the rotation `way` (in steps) over which the branch of `touch`
+  // continues.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -83,11 +85,11 @@ class Branches {
     double t;                       // steps from the touch a
     std::array<PairTouch, 2> both;  // at the handover; the second is not found if TE jumps
   };
-  // The handover between branch a and branch b, which lead at two rotations `width` steps apart;
-  // none if there is no handover.
+  // Returns the handover between branch a and branch b, which lead at two rotations `width` steps
+  // apart. Returns none if there is no handover.
   std::optional<Handover> handover(const PairTouch& a, const PairTouch& b, double width) const {
-    // Branch b begins at lo, or before the touch a if lo = 0. Branch a ends at hi, or beyond the
-    // touch b if hi = width.
+    // Branch b begins at lo. If lo = 0, branch b already exists at touch a. Branch a ends at hi. If
+    // hi = width, branch a still exists at touch b.
     double lo = width * (1.0 - reach(b, -width));
     double hi = width * reach(a, width);
     if (lo >= hi) return std::nullopt;
@@ -100,8 +102,8 @@ class Branches {
     const auto ahead_at_lo = ahead_in(begin), ahead_at_hi = ahead_in(end);
     if (!ahead_at_lo || !ahead_at_hi) return std::nullopt;
     double at_lo = *ahead_at_lo, at_hi = *ahead_at_hi;
-    // TE jumps if a branch begins or ends while its T exceeds T of the other branch. The least TE
-    // is then the value on the low side of the jump.
+    // TE jumps if T of a branch exceeds T of the other branch at the point where it begins or ends.
+    // The least TE is then the value on the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
     if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;
@@ -116,9 +118,9 @@ class Branches {
     return std::nullopt;
   }
 
-  // The touches of both branches at the handover between i and i + 1. At this handover, T of a
-  // third branch, which leads at position i − 1 or i + 2, may exceed T of both. The touch of the
-  // third branch then replaces both touches.
+  // Returns the touches of both branches at the handover between i and i + 1. A third branch, which
+  // leads at position i − 1 or i + 2, may have a greater T there than these two branches. In this
+  // case, the touch of the third branch replaces both touches.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const auto found = handover(at(i), at(i + 1), 1.0);
     if (!found) return std::nullopt;
@@ -136,12 +138,12 @@ class Branches {
     return lead;
   }
 
-  // Finds the points between a and b, which are `width` steps apart, at which TE may be less
-  // than `least`, and passes each point to `take`. If a and b are on one branch, the point is
-  // the minimum of this branch. Otherwise, it is the handover between both branches. On wavy
-  // flanks, a third crest may lead at the point. In this case, the point divides the interval,
-  // and both parts are examined in the same way. If the branches do not meet because a crest
-  // ends, the interval is halved.
+  // Finds the points at which TE may be less than `least` between touches a and b, which are
+  // `width` steps apart. Each point is passed to `take`. If a and b are on one branch, the point is
+  // the minimum of this branch. Otherwise, the point is the handover between the two branches. On
+  // wavy flanks, a third crest may lead at the point. The point then divides the interval, and both
+  // parts are examined in the same way. If the branches do not meet because a crest ends, the
+  // interval is halved.
   template <class Take>
   void valleys(const PairTouch& a, const PairTouch& b, double width, const double& least,
                int divisions, const Take& take) const {
@@ -167,8 +169,9 @@ class Branches {
     valleys(lead, b, width - t, least, divisions - 1, take);
   }
 
-  // A maximum (if `up`) or minimum of the branch that leads at i, within a step of i. The slope of
-  // the branch is exact and continuous, but it has kinks where the contact reaches an edge.
+  // Returns a maximum (if `up` is true) or minimum of the branch that leads at i, within a step of
+  // i. The slope of the branch is exact and continuous, but it has kinks where the contact reaches
+  // an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
     return turning_point(at(i), 1.0, up);
   }
@@ -180,8 +183,8 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? width : -width;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
-    // reach() followed the branch to its end in small steps. A single step to this end may lose the
-    // branch.
+    // reach() followed the branch to its end in small steps. A search that goes to this end in a
+    // single step may lose the branch.
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
@@ -206,7 +209,7 @@ class Branches {
   }
 
  private:
-  // T of the first touch minus T of the second; none if one of them has no contact.
+  // Returns T of the first touch minus T of the second, or none if a touch has no contact.
   static std::optional<double> ahead_in(const std::array<PairTouch, 2>& both) {
     if (!both[0].found() || !both[1].found()) return std::nullopt;
     return both[0].te() - both[1].te();
@@ -215,8 +218,8 @@ class Branches {
   double slope(const PairTouch& touch) const {
     return step_ * rotation_slope(transmission_, touch);
   }
-  // Narrows the bracket of a root after the evaluation at t. If an end is kept twice, its value is
-  // halved (Illinois method).
+  // Narrows the bracket of a root after the evaluation at t. If the same end of the bracket is kept
+  // twice in succession, the value at this end is halved (Illinois method).
   static void narrow(bool low, double t, double value, double& lo, double& at_lo, double& hi,
                      double& at_hi, int& stays) {
     (low ? lo : hi) = t;
@@ -265,13 +268,14 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve is assumed to change by at most `reach` within a step of this position. If TE ±
-    // `reach` lies beyond e.greatest or e.least, the extreme of the branch is computed.
+    // Within a step of this position, the curve is assumed to change by at most `reach`. The
+    // maximum of the branch is computed only if TE + `reach` exceeds e.greatest, and the minimum
+    // only if TE − `reach` is below e.least.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // A branch never exceeds TE, so the maximum of a branch is never too great. Beyond a handover,
-    // a branch lies below TE, so its minimum may be too small. The minimum is used only if the same
-    // branch leads here and at both neighbours.
+    // T of a branch never exceeds TE, so the maximum of a branch is never too great. The minimum of
+    // a branch may be too small, because T is less than TE beyond a handover. The minimum is
+    // therefore used only if the same branch leads here and at both neighbours.
     if (here.te() + reach > e.greatest)
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     if (!transmission.wavy() && here.te() - reach < e.least && curve.same(i - 1) && curve.same(i))
@@ -300,7 +304,8 @@ double span_slope(Transmission& transmission, const CurveExtremes& extremes,
   if (b.found()) {
     const double of_a = rotation_slope(transmission, a);
     const double of_b = rotation_slope(transmission, b);
-    // Branches with equal slopes have no single crossing, so the slope of the first branch is used.
+    // If both branches have the same slope, they do not cross at one point. The slope of the first
+    // branch is then used.
     if (of_a != of_b) bottom = (of_a * slope(b) - of_b * bottom) / (of_a - of_b);
   }
   return slope(extremes.top) - bottom;

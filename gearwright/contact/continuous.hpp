@@ -9,10 +9,11 @@
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
-// handover T_a = T_b. TE jumps where a branch begins with a greater T than the others.
+// handover, where T_a = T_b. TE jumps if a branch begins with a greater T than all others.
 //
-// The peak to peak of the values at the positions alone is too small, by up to half of the change
-// of TE within a step. The missing part depends on where the handovers lie between the positions.
+// The greatest minus the least value at the positions is too small. The missing part depends on
+// where the handovers lie between the positions, and is at most half of the change of TE within a
+// step.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ struct CurveExtremes {
   double span() const { return greatest - least; }
 };
 
-/// The extremes of the continuous curve, from the touches of one_pitch().
+/// Computes the extremes of the continuous curve from the touches of one_pitch().
 ///
 /// Formula   [T14.11]
 /// Units     rad
@@ -48,18 +49,18 @@ CurveExtremes continuous_extremes(Transmission& transmission,
 /// The least number of positions per pitch that is used to find the extremes of a pitch.
 inline constexpr int kLeastSpanPositions = 32;
 
-/// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position. At
-/// least kLeastSpanPositions are used.
+/// Returns the peak to peak of the continuous curve over a pitch, or none if contact is lost at a
+/// position. The function uses at least kLeastSpanPositions.
 ///
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 
-/// ∂span/∂e, rad per unit of e. `transmission` must have computed the extremes.
+/// Returns ∂span/∂e, rad per unit of e. `transmission` must be the one that computed `extremes`.
 ///
 /// Formula   [T8.10] inside a branch, [T14.16] at a handover
 /// Domain    as sensitivity() (contract)
-/// Accuracy  rounding if the extremes are unique. At a jump, the motion of the end of the branch is
-///           neglected, and only the slope of the branch is used
+/// Accuracy  rounding if the extremes are unique. At a jump, only the slope of the branch is used.
+///           The motion of the end of the branch is neglected
 /// Laws      (3) the result is the limit of difference quotients of span()
 double span_slope(Transmission& transmission, const CurveExtremes& extremes,
                   const Influence& influence);

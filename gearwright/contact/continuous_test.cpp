@@ -76,7 +76,7 @@ TEST(Continuous, DoesNotDependOnThePositions) {
   const ContactPair pair = sample.pair();
   const double few = continuous(pair, 32);
   for (const int n : {33, 96, 128, 1000}) EXPECT_NEAR(continuous(pair, n), few, 1e-11) << n;
-  // The error of the comb is a thousand times as large.
+  // The error of a comb is more than a thousand times the limit above.
   EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
 }
 

@@ -32,8 +32,8 @@ struct WorkshopCorrection {
   bool slope() const { return modification() && is_slope(*modification()); }
 };
 
-/// True if the correction is possible. A tool setting requires a rack F, a cutter lead requires a
-/// helical gear cut by a rack, and a relief requires a reach on both flanks.
+/// True if the correction is possible for this pair. A tool setting requires a rack F. A cutter
+/// lead requires a helical gear cut by a rack. A relief requires a reach on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
 /// The usual corrections: tool setting and cutter lead for circular arcs, otherwise lead slope and
@@ -45,11 +45,12 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence that corresponds to a correction, for derivatives with respect to the correction.
-/// None for a tool setting or a cutter lead, because they do not remove material from the flanks.
+/// Returns the influence that corresponds to a correction, for derivatives with respect to the
+/// correction. Returns none for a tool setting or a cutter lead, which remove no material from the
+/// flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
-/// The influences of all corrections; none if influence_of() returns none for one of them.
+/// Returns the influences of all corrections, or none if a correction has no influence_of().
 std::optional<std::vector<Influence>> influences_of(
     const std::vector<WorkshopCorrection>& corrections);
 
@@ -61,8 +62,8 @@ ContactSetup with_fields_for(const ContactSetup& setup,
 /// setting is at most a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The task of computing these corrections, within bounds_of(), so that the worst of the
-/// `scenarios` is as good as possible.
+/// Returns the task of computing these corrections within bounds_of(). The task improves the worst
+/// of the `scenarios`.
 ///
 /// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -1,5 +1,6 @@
 // The rotations by which errors of mounting tilt axis 1, and the derivative of each rotation matrix
-// with respect to its angle. The angles are those in the frame N, ±Δγ and ±Δδ.
+// with respect to its angle. The angles refer to the frame N, so their signs may differ from Δγ and
+// Δδ.
 //
 //   Δγ   crossing: rotation about x, the centre line, so that axis 1 tilts towards +y
 //   Δδ   intersecting: rotation about y, so that axis 1 tilts towards gear 2, +x

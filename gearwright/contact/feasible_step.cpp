@@ -7,11 +7,12 @@ namespace gearwright::detail {
 
 namespace {
 
-// Limits of rounding errors. A point that is beyond a bound by at most kOnBound, a scaled length,
-// counts as inside. A multiplier of at least kNoMultiplier counts as ≥ 0.
+// Limits of rounding errors. A point counts as inside if it lies beyond a bound by at most
+// kOnBound, a scaled length. A multiplier counts as ≥ 0 if it is at least kNoMultiplier.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// Two bounds are parallel and have no corner if the sine of the angle between them is below this.
+// If the sine of the angle between two bounds is below this limit, the bounds count as parallel and
+// have no corner.
 constexpr double kParallel = 1e-14;
 
 class Candidates {
@@ -70,8 +71,8 @@ class Candidates {
     return mu_a >= kNoMultiplier && mu_b >= kNoMultiplier && within(step);
   }
 
-  // The candidate that violates the bounds least. Candidates are the corners of two bounds, and the
-  // point on each bound that is nearest to d = 0.
+  // Returns the candidate that violates the bounds least. The candidates are the corners of two
+  // bounds and, on each bound, the point nearest to d = 0.
   FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();

@@ -3,9 +3,9 @@
 //   max  g·d + d·H d/2    over  c_j + a_j·d ≥ 0,  j = 1 … 8,    d in the plane
 //
 // The candidates are the stationary point, the best point on each bound, and the corners of two
-// bounds. Because the objective is concave, the first candidate that is feasible and has
-// multipliers ≥ 0 is the solution. The active bounds of the last step are tried first.
-//                                                         theory: docs/theory/08-contact.md, [T8.9]
+// bounds. The objective is concave. The solution is therefore the first candidate that satisfies
+// all bounds and whose multipliers are ≥ 0. The active bounds of the last step are tried first.
+// theory: docs/theory/08-contact.md, [T8.9]
 #pragma once
 
 #include <array>

@@ -7,14 +7,15 @@ namespace gearwright {
 
 namespace {
 
-// Smaller values of `early` are rounding errors, for example where a fillet continues the flank.
+// If `early` is below this limit, it is a rounding error, for example where a fillet continues the
+// flank.
 constexpr double kTouching = 1e-8;  // mm
 
-// The number of rotations is limited, because a position with fillets takes several times as long
-// as with flanks alone, and the user may request up to 10⁶ positions.
+// The number of rotations is limited for two reasons. With fillets, a position takes several times
+// as long as without. The user may request up to 10⁶ positions.
 constexpr std::size_t kMaxRotations = 64;
 
-// Arm of the normal at the touch about axis 2.
+// Returns the arm about axis 2 of the normal at the touch, mm.
 double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   const ContactMount& m = pair.place();
   const double sigma = m.axis_angle.rad();
@@ -23,7 +24,7 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   return std::abs((p.point - on_axis).cross(p.normal).dot(axis));
 }
 
-// The gear whose root fillet touches at the point; 0 if no fillet touches.
+// Returns the gear whose root fillet touches at the point, or 0 if no fillet touches.
 int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
   for (const int gear : {1, 2}) {
     const auto end = outlines.root_end(gear);

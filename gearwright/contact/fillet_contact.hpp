@@ -1,8 +1,9 @@
 // Contact of tips with root fillets, under errors of mounting and cutting.
 //
-// If a tip meets the mating gear's fillet before the flanks touch, the transmission error TE of the
-// flanks alone is wrong. With the fillets as additional patches, the same search [T8.2] gives
-// TE_f ≥ TE. The difference corresponds to the gap that remains between the flanks:
+// If a tip meets the fillet of the mating gear before the flanks touch, the flanks alone give a
+// wrong transmission error TE. The search [T8.2] is therefore repeated with the fillets as
+// additional patches, and gives TE_f ≥ TE. From the difference follows the gap that remains between
+// the flanks:
 //
 //   early = (TE_f − TE) h   mm, where h is the arm of the normal at the touch about axis 2, mm
 #pragma once
@@ -24,12 +25,13 @@ struct FilletContact {
 struct FilletContacts {
   std::vector<std::size_t> asked;   ///< examined positions, as indices of `flanks`
   std::vector<ContactPoint> whole;  ///< contact of the whole outlines at these positions
-  /// The contact with the greatest `early`. None if flanks touch first at all examined positions.
+  /// The contact with the greatest `early`. None if the flanks touch first at all examined
+  /// positions.
   std::optional<FilletContact> earliest;
 };
 
-/// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the
-/// positions of analyse_contact() for the flanks alone.
+/// Computes the contact of the whole outlines at the rotations at which the flanks touch. `flanks`
+/// are the positions of analyse_contact() for the flanks alone.
 ///
 /// `outlines`  the pair to which `flanks` belongs, but with ContactMount::fillets = true
 /// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,

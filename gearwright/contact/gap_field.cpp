@@ -30,8 +30,8 @@ Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   return m;
 }
 
-// The angle from the unmodified flank 2 to a point. Flank 2 is first turned by the expected
-// rotation, so that the angle never exceeds half a turn. On a rack, the result is travel/r.
+// Returns the angle from the unmodified flank 2 to a point. Flank 2 is turned by the expected
+// rotation first, so that the angle never exceeds half a turn. For a rack, the result is travel/r.
 double angle_from(const FlankPatch& two, const RadialJet& q, double expected,
                   const GapField::Place2& place, double rack_radius) {
   if (rack_radius > 0.0)

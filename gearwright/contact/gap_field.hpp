@@ -2,7 +2,7 @@
 // with first and second derivatives.
 //
 //   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the
-//   clockwise side of its tooth touches. Other cases are transformed to the frame N
+//   clockwise side of the tooth of gear 2 touches. Other cases are transformed to the frame N
 //   (contact/contact_pair.hpp).
 //   φ1   rotation of gear 1          E = φ1 |z1/z2|, the expected rotation of gear 2
 //   φ2*  rotation of gear 2 at which its flank contains the point (ρ, ψ, Z) of flank 1
@@ -16,8 +16,9 @@
 //   line replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r
 //   [T8.29].
 //
-// The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
-// evaluation returns all data of a Newton step, without memory allocation or virtual calls.
+// The flanks touch at the point of flank 1 at which T is greatest. Only the part of flank 1 that
+// lies opposite flank 2 counts. One evaluation returns all data of a Newton step, without memory
+// allocation or virtual calls.
 #pragma once
 
 #include <array>
@@ -43,8 +44,8 @@ struct FlankPatch {
   double center;  ///< rad, azimuth of the tooth's centre line at rotation 0 in the section z = 0
   double twist;   ///< τ  rad/mm, including the lead error
   double z_lo, z_hi;  ///< mm, ends of the patch along the face
-  /// Material removed from this flank; null if no material is removed. The height z on the
-  /// patch, multiplied by removal_z (±1), is the height in the RemovalField.
+  /// Material removed from this flank; null if no material is removed. The height z on the patch
+  /// times removal_z (±1) is the height in the RemovalField.
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
@@ -56,8 +57,8 @@ struct FlankPatch {
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
 };
 
-/// The transformation from the frame of gear 1 to the frame of gear 2, both at rotation 0:
-/// x_2 = rotation x_1 + shift.
+/// The transformation x_2 = rotation x_1 + shift from the frame of gear 1 to the frame of gear 2,
+/// both at rotation 0.
 struct RelativeMount {
   LinearMap<Axis2, Axis1> rotation;
   Point<Axis2> shift;
@@ -91,8 +92,8 @@ class GapField {
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// The field at (s, z) of flank 1. On entry, `s2` is the parameter on flank 2 from the last call;
-  /// on return, it is the parameter for this call.
+  /// Computes the field at (s, z) of flank 1. The iteration starts at `s2`, the parameter on flank
+  /// 2 from the last call, and sets `s2` to the parameter for this call.
   GapJet at(double s, double z, double& s2) const;
   /// The point at (s, z) of flank 1 in the transverse plane at rotation 0, mm, before mounting.
   Complex point_at_rest(double s, double z) const;
@@ -103,7 +104,8 @@ class GapField {
     double Z;   ///< mm, along the axis
   };
   Place2 on_gear_2(const Complex& w1, double z) const;
-  /// T, without derivatives, at a point that is given in the frame of gear 2; `s2` as in at().
+  /// Returns T, without derivatives, at a point that is given in the frame of gear 2. See at() for
+  /// `s2`.
   double value(const Place2& place, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle, 1/|∇φ2*|, mm. [T8.3], on a rack [T8.30]
   static double arm(const GapJet& j);

@@ -17,7 +17,7 @@ namespace {
 
 Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
-// The factor, 1 or −1, by which an error of the pair is multiplied in the mirror image.
+// Returns the factor, 1 or −1, by which the mirror image multiplies an error of the pair.
 double mirror_sign(ErrorKind kind) {
   const bool turns =
       kind == ErrorKind::crossing || kind == ErrorKind::intersecting || kind == ErrorKind::axial;
@@ -43,9 +43,9 @@ std::vector<Angle> harmonics_of(const ContactResult& result, int per_pitch) {
   return harmonics(te);
 }
 
-// Converts `image`, the contact of the mirror image of half B, to the contact of half B itself.
-// `image` was computed at the rotations that rotations_of_second() returns. `per_pitch` is the
-// number of positions in one pitch, or 0 if the caller gave the rotations.
+// Converts `image`, the contact of the mirror image of half B, to the contact of half B itself. The
+// rotations of `image` are those of rotations_of_second(). `per_pitch` is the number of positions
+// in one pitch, or 0 if the caller gave the rotations.
 ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
                           const std::vector<Influence>& influences, int per_pitch) {
   ContactResult result = image;
@@ -91,11 +91,12 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
 }
 
-// The mean of the TE of both halves, rad; NaN if a half does not touch. Between two positions, a
-// half has two candidates for its TE: the branch that leads at the preceding position and the
-// branch that leads at the following position. Both branches are followed to the point between the
-// positions, and the greater TE is used. If the same branch leads at both positions, it is followed
-// from the nearer position only.
+// The mean of the TE of both halves, rad, or NaN if a half does not touch. The mean is also
+// computed between positions. A half then has two candidates for its TE. One is the branch with the
+// greatest T at the preceding position, and the other is the branch with the greatest T at the
+// following position. Both branches are followed to the point between the positions, and the
+// greater TE is used. If both positions have the same branch, it is followed from the nearer
+// position only.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)
@@ -251,8 +252,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // Between two positions, the curve may exceed the values at both positions, but at most
-      // by the change of the curve in one step.
+      // Between two positions, the curve may exceed the values at both positions. The difference is
+      // at most the change of the curve in one step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const auto lowered = [&](double x) { return -sign * mean.at(x); };

@@ -1,5 +1,5 @@
-// Contact of a double-helical pair of which one gear floats along its axis: the contact of both
-// halves and the motion of the whole gears.
+// Contact of a double-helical pair. One of its gears floats along its axis. The file computes the
+// contact of both halves and the motion of the whole gears.
 //
 //   e_A, e_B   TE of the half at z > 0 and of the half at z < 0
 //   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; equal to
@@ -7,8 +7,8 @@
 //   s          stagger of half B, pitches
 //
 // Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0. The
-// mirror image has the teeth of half A, and its errors are computed by mirrored(). Because the
-// axial forces on the floating gear cancel, both halves transmit the same torque, and both touch:
+// mirror image has the teeth of half A, and its errors are computed by mirrored(). The axial forces
+// on the floating gear cancel, so both halves touch and transmit the same torque:
 //
 //   TE = (e_A + e_B)/2,   Δz = (e_B − e_A)/(2k)      theory: docs/theory/08-contact.md, [T8.27]
 #pragma once
@@ -29,18 +29,18 @@ namespace gearwright {
 /// Domain    a gear with a gap, which may be 0 (contract)
 double middle_of_half(const Gear& half);
 
-/// The rotation of half B minus the rotation of gear 1. The difference is due to the stagger.
+/// Returns the rotation of half B minus the rotation of gear 1, which the stagger causes.
 Angle behind(double stagger, const Gear& gear_1);
-/// The rotations at which half B is analysed if the whole gear 1 is analysed at `rotations`. If
-/// `rotations` is empty, there are `positions` equal steps per pitch. Without a stagger, both
-/// halves have the same rotations, and `rotations` is returned unchanged.
+/// Returns the rotations at which half B is analysed if the whole gear 1 is analysed at
+/// `rotations`. If `rotations` is empty, equal steps with `positions` per pitch are used. Without a
+/// stagger, both halves have the same rotations, and the function returns `rotations` unchanged.
 std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
                                        std::vector<Angle> rotations, int positions, int pitches);
 
 /// Converts the pattern on the mirror image of half B to the pattern on half B.
 FlankRaster in_mirror(const FlankRaster& raster);
 
-/// True if half B of a pair with these errors equals the mirror image of half A at all rotations.
+/// True if, at all rotations, half B of a pair with these errors is the mirror image of half A.
 inline bool alike_halves(double stagger, const ContactErrors& errors) {
   return stagger == 0.0 && errors == mirrored(errors);
 }
@@ -61,7 +61,7 @@ struct HalvesPair {
   HalvesMesh mesh;                                         ///< points to both pairs in `half`
 };
 
-/// Both halves of a double-helical pair, for errors that vary.
+/// Makes both halves of a double-helical pair under any errors.
 class HalvesSetup {
  public:
   /// `setup` has the teeth of half A. `side` is −1 if half A lies at z < 0, and otherwise 1.
@@ -82,19 +82,19 @@ struct HalvesContact {
   std::array<ContactResult, 2> half{};  ///< A and B
   /// The contact of the mirror image of half B, at the rotations of rotations_of_second().
   ContactResult image{};
-  /// The rotations and the TE of the whole gears at every position. The point of contact is
-  /// NaN, because each half touches at a point of its own. `kind` is taken from half B if only
-  /// half B touches at an edge, and otherwise from half A.
+  /// The rotations and the TE of the whole gears at every position. The point of contact is NaN,
+  /// because each half touches at a point of its own. `kind` comes from half A. If only half B
+  /// touches at an edge, `kind` comes from half B.
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
-  /// The positions of half A, followed by the positions of the mirror image of half B, so that the
-  /// verdict judges both halves.
+  /// Returns the positions of half A, followed by the positions of the mirror image of half B. The
+  /// verdict thereby judges both halves.
   ContactResult on_halves() const;
 };
 
-/// Analyses the contact of both halves and of the whole gears. The derivatives of both halves are
-/// taken with respect to the errors of the whole pair, and not of the mirror image.
+/// Analyses the contact of both halves and of the whole gears. The derivatives of both halves refer
+/// to the errors of the whole pair. They do not refer to the errors of the mirror image.
 ///
 /// Formula   [T8.27]
 /// Domain    as for a ContactPair
@@ -103,11 +103,11 @@ HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& requ
 /// TE of the whole gears over one pitch, at the positions of transmission_error() of a ContactPair.
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
-/// Peak to peak of the continuous curve of TE; none if a half loses contact. At least
-/// kLeastSpanPositions are used.
+/// Returns the peak to peak of the continuous curve of TE, or none if a half loses contact. The
+/// function uses at least kLeastSpanPositions.
 ///
-/// Accuracy  1e-12 rad at the extremes that are found. A branch may be overlooked if it leads
-///           for less than one step, the pitch divided by `positions`
+/// Accuracy  1e-12 rad at the extremes that are found. A branch may be overlooked if it has the
+///           greatest T for less than one step, the pitch divided by `positions`
 std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions);
 
 }  // namespace gearwright

@@ -32,7 +32,8 @@ SamplePair crowned_half(int z2) {
   return p;
 }
 
-// Half B of a pair, as its mirror image.
+// Returns the mirror image of half B of a pair. Its gears are those of half A, and its errors are
+// mirrored.
 SamplePair other_half(SamplePair p) {
   p.place.errors = mirrored(p.place.errors);
   return p;

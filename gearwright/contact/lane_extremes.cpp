@@ -14,10 +14,10 @@ namespace {
 
 // rad: the search for an extreme ends when T differs by less than this angle from the extreme.
 constexpr double kFlatLane = 1e-12;
-// Steps: the search for a handover ends at this distance from it. T is then extrapolated.
+// Steps: the search for a handover ends at this distance from the handover. T is then extrapolated.
 constexpr double kLastStep = 1e-6;
-// rad: at a handover, a third tooth pair may lead if its T is less than this angle below T of the
-// two tooth pairs.
+// rad: at a handover between two tooth pairs, a third pair may have the greatest T if its T is less
+// than this angle below theirs.
 constexpr double kClose = 1e-7;
 constexpr int kMostRounds = 30;  // two are usual
 constexpr int kNewton = 5;       // rounds with Newton steps; later rounds use within()
@@ -30,7 +30,7 @@ struct Cubic {
   double bend(double t) const { return 2 * a + 6 * t * b; }
 };
 
-// The root of f between 0 and 1, where its values have opposite signs.
+// Returns the root of f between 0 and 1. f must have opposite signs at 0 and 1.
 template <class F>
 double root_of(const F& f) {
   double lo = 0.0, hi = 1.0;
@@ -49,8 +49,9 @@ double root_of(const F& f) {
 
 }  // namespace
 
-// A predicted point of the curve between two positions. It is a handover from the tooth pair at
-// m to the tooth pair at `other` or, if there is no `other`, an extreme of the tooth pair at m.
+// A predicted point of the curve between two positions. If `other` has a value, the point is the
+// handover from the tooth pair at m to the tooth pair at `other`. Otherwise, the point is an
+// extreme of the tooth pair at m.
 struct LaneTrack::Candidate {
   int m;
   std::optional<int> other;
@@ -66,15 +67,17 @@ struct LaneTrack::Candidate {
   int stays = 0;
   bool done = false;
 
-  // If the same end stays in two successive steps, its value is halved (Illinois method).
+  // If the same end stays in two successive steps, the value at this end is halved (Illinois
+  // method).
   void narrow(bool low, const End& here) {
     (low ? lo : hi) = here;
     const int stayed = low ? 1 : -1;
     if (stays == stayed) (low ? hi : lo).value *= 0.5;
     stays = stayed;
   }
-  // The next t, within the interval. At an extreme, T may consist of two nearly straight lines that
-  // meet at a kink. The next t is therefore the point at which the tangents at both ends cross.
+  // Returns the next t, within the interval. Near an extreme, T may consist of two nearly straight
+  // lines that meet at a kink. The next t is therefore the point at which the tangents at both ends
+  // cross.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;
@@ -84,7 +87,8 @@ struct LaneTrack::Candidate {
   }
 };
 
-// The position m of tooth pair 0 whose touch leads at position i of the pitch, 0 ≤ i ≤ n.
+// Returns the position m of tooth pair 0 whose touch has the greatest T at position i of the pitch,
+// 0 ≤ i ≤ n.
 int LaneTrack::leader(int i) const {
   const int own = i % n_;
   return own - (best_[static_cast<std::size_t>(own)].pair - whole_) * n_;
@@ -124,8 +128,8 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
   }
   // TE is the greatest T of all branches, so no maximum of a branch exceeds the maximum of TE.
   // Every maximum of a branch can therefore be examined. A minimum is examined only if the branch
-  // leads at both positions. An extreme is skipped if the tangents at both positions cross at a T
-  // that does not exceed the extremes found so far.
+  // has the greatest T at both positions. The tangents at both positions cross at some T. If this T
+  // does not exceed the extremes found so far, the extreme is skipped.
   for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
     if (!at(m) || !at(m + 1)) continue;
     const Cubic c = cubic(m);
@@ -169,10 +173,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       }
       const auto& [a, b] = here.touch;
       here.value = c.other ? a.te() - b.te() : a.touch.slope * step_;
-      // The derivative of `value`. At an extreme, it is computed from the slopes at this touch
-      // and the previous one if both have the same active bounds. Otherwise, it is computed
-      // from the cubic. This is less accurate, because the second derivative of T jumps where
-      // the active bounds change.
+      // The derivative of `value`. At an extreme, it is computed from the slopes at this touch and
+      // the previous one if both have the same active bounds. Otherwise, it is computed from the
+      // cubic. The cubic is less accurate, because the second derivative of T jumps where the
+      // active bounds change.
       const bool alike = c.before && c.before->touch[0].fields == a.fields &&
                          c.before->touch[0].touch.active == a.touch.active;
       const double bend = c.other ? (a.touch.slope - b.touch.slope) * step_

@@ -14,8 +14,9 @@ constexpr double kRough = 1e-7;  // rad, margin for the comparison of T of two t
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes, if the centre distance is the only error. At a
-// fixed z, its parameter s changes by the angle by which gear 1 turns.
+// The line of contact of involutes on parallel axes. The centre distance may have an error, but
+// there are no other errors. At a fixed z, the parameter s of the line changes by the angle by
+// which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // part of flank 1 that faces flank 2
@@ -75,7 +76,8 @@ struct LaneTrack::Path {
     open = true;
   }
 
-  // The middle of the line of contact; none if the rotation lies outside the path of contact.
+  // Returns the middle of the line of contact, or none if the rotation lies outside the path of
+  // contact.
   std::optional<std::array<double, 2>> middle(double phi) const {
     double a = s_lo, b = s_hi;
     if (phi_z != 0.0) {
@@ -96,7 +98,7 @@ struct LaneTrack::Path {
 // Touches of tooth pair 0 at the positions `from`, `from` + `stride`, `from` + 2 `stride`, …
 struct LaneTrack::Rough {
   int from, stride;
-  std::vector<PairTouch> touches;  // not found where the search failed
+  std::vector<PairTouch> touches;  // touches of failed searches are not found()
 
   // The touch with number k, or at position m; null if it was not found.
   const PairTouch* at(int k) const {
@@ -150,7 +152,8 @@ void LaneTrack::offer(int m, const PairTouch& t) {
   b.pair = (i - m) / n_;
 }
 
-// The start of a search between a and b, at the fraction `part` of the distance from a to b.
+// Returns the start of a search between a and b, at the fraction `part` of the distance from a to
+// b.
 PairTouch LaneTrack::start_between(const PairTouch& a, const PairTouch& b, double part,
                                    double phi) const {
   PairTouch t = part < 0.5 ? a : b;
@@ -162,8 +165,8 @@ PairTouch LaneTrack::start_between(const PairTouch& a, const PairTouch& b, doubl
   return t;
 }
 
-// Moves touches across the borders of patches, like Transmission::climb(). On convex flanks, T is
-// greatest at a touch if no pair of patches beyond an active border has a greater T.
+// Moves touches across the borders of patches, like Transmission::climb(). On convex flanks, a
+// touch has the greatest T if no pair of patches beyond an active border has a greater T.
 void LaneTrack::cross_seams(std::vector<PairTouch>& touches) const {
   const auto& across = transmission_->across_;
   if (across.size() < 2) return;
@@ -224,11 +227,11 @@ LaneTrack::Rough LaneTrack::search_path(const Path& path) const {
   return rough;
 }
 
-// The first and the last position at which T of pair 0 may be greater than T of all other pairs.
-// None if there is no such position.
+// Returns the first and the last position at which T of pair 0 may be greater than T of all other
+// pairs. Returns none if there is no such position.
 std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const {
-  // The lower and the upper limit of T at every position. The tangents at two neighbouring
-  // touches limit the distance of T from the straight line between these touches.
+  // The lower and the upper limit of T at every position. The slopes at two neighbouring touches
+  // limit the distance of T from the straight line between these touches.
   const int all = (static_cast<int>(rough.touches.size()) - 1) * rough.stride + 1;
   std::vector<std::array<double, 2>> limits(static_cast<std::size_t>(std::max(0, all)),
                                             {-kInfinity, -kInfinity});
@@ -257,9 +260,10 @@ std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const
   return window;
 }
 
-// The touch from which the search at position m starts. Its s and z come from the cubic through
-// four rough touches around m if these touches have the same active bounds, and otherwise from the
-// two nearest rough touches. Not found if there is no rough touch near m.
+// Returns the touch from which the search at position m starts. Its s and z come from the cubic
+// through four rough touches around m if these touches have the same active bounds. Otherwise, they
+// come from the two nearest rough touches. If there is no rough touch near m, the result is not
+// found().
 PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
   const int last = static_cast<int>(rough.touches.size()) - 1;
   const int k = std::clamp((m - rough.from) / rough.stride, 0, last);
@@ -305,8 +309,8 @@ void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& wind
     if (track_[i].found()) offer(lo_ + static_cast<int>(i), track_[i]);
 }
 
-// Continues the track in one direction until T decreases and is well below T of another pair,
-// as in Transmission.
+// Continues the track in one direction until two conditions hold, as in Transmission: T decreases,
+// and T is well below T of another pair.
 void LaneTrack::extend(int direction) {
   const int most = transmission_->farthest_pair_ * n_;
   const int last = direction > 0 ? lo_ + static_cast<int>(track_.size()) - 1 : lo_;

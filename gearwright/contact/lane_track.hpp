@@ -1,14 +1,14 @@
-// The transmission error over a pitch. The touches at many positions are searched at once, one in
-// each SIMD lane (touch_lanes.hpp).
+// Computes the transmission error over a pitch. Many positions are searched at once, one in each
+// SIMD lane (touch_lanes.hpp).
 //
 //   m    position of tooth pair 0, at the rotation first + m·pitch/n. The touch of pair 0 at m is
 //        the touch of pair (i − m)/n at position i = m mod n of the pitch
 //                                              theory: docs/theory/14-scatter.md, section 14.4
 //
 // The touches at positions an eighth of a pitch apart are computed first. Each of these searches
-// starts in the middle of the line of contact. The searches at the positions between them start
-// from a polynomial through the touches already found. Because the slope of T is exact at every
-// touch, two or three steps find each extreme between the positions.
+// starts in the middle of the line of contact. The touches between these positions are computed
+// next. Their searches start from a polynomial through the touches already found. Because the slope
+// of T is exact at every touch, two or three steps find each extreme between the positions.
 #pragma once
 
 #include <optional>
@@ -21,14 +21,14 @@ namespace gearwright::detail {
 
 class LaneTrack {
  public:
-  /// None if the axes are crossed, if LaneSearch does not apply to the flanks, or if T may have
-  /// several maxima on a flank.
+  /// Returns none if the axes are crossed, if LaneSearch does not apply to the flanks, or if T may
+  /// have several maxima on a flank.
   static std::optional<LaneTrack> of(Transmission& transmission, double first, int n);
 
-  /// The same touches as Transmission::over_a_pitch() computes.
+  /// Returns the same touches as Transmission::over_a_pitch().
   const std::vector<PairTouch>& touches() const { return best_; }
-  /// The same extremes as continuous_extremes() computes. None if a branch begins or ends at a
-  /// rotation at which its T is the greatest, or if a search does not converge.
+  /// Returns the same extremes as continuous_extremes(). Returns none if a branch that begins or
+  /// ends has the greatest T at that rotation, or if a search does not converge.
   std::optional<CurveExtremes> extremes() const;
 
  private:

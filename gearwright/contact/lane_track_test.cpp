@@ -1,7 +1,7 @@
-// The search in lanes against the search of one position after the other. Laws: (1) a step in
-// lanes returns the bits of its scalar twin   (2) the touches of a pitch are those of
-// over_a_pitch()   (3) the extremes are those of continuous_extremes()
-// (4) arm and slope are exact.
+// Compares the search in lanes with the search of one position after the other. Laws: (1) a step in
+// lanes returns the bits of its scalar instance   (2) the touches of a pitch are those of
+// over_a_pitch()   (3) the extremes are those of continuous_extremes()   (4) arm and slope are
+// exact.
 #include "gearwright/contact/lane_track.hpp"
 
 #include <gtest/gtest.h>
@@ -85,8 +85,9 @@ TEST(LaneTrack, TouchesAndExtremesAreThoseOfOneSearchAfterTheOther) {
   EXPECT_GT(spans, kPairs / 2);
 }
 
-// On parallel axes, unmodified flanks touch along lines, and flanks of spur gears with a modified
-// profile do so too. A family in which only the centre distance varies has only such members.
+// On parallel axes, unmodified flanks touch along lines. Flanks of spur gears with a modified
+// profile also touch along lines. If only the centre distance varies in such a family, all its
+// members touch along lines.
 TEST(LaneTrack, LinesOfContactAreSearchedInLanes) {
   for (std::uint64_t k = 0; k < 60; ++k) {
     testing::SamplePair p = testing::involutes(20, k % 3 == 1 ? -61 : 43, k % 3 ? 15.0 : 0.0);

@@ -17,7 +17,8 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
   std::array<bool, 2> fields{};
   for (std::size_t i = 0; i < 2; ++i) {
     modifications[i] = {options.modifications[i].right, options.modifications[i].left};
-    // Derivatives with respect to a modification need its field, even if nothing is removed.
+    // Derivatives with respect to a modification need the field of removed material, even if
+    // nothing is removed.
     for (const Influence& influence : options.request.influences)
       fields[i] = fields[i] || influence.modified_gear == static_cast<int>(i) + 1;
   }

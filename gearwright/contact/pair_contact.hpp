@@ -1,10 +1,10 @@
-// The contact of a mounted pair in one call. The result owns all data that it uses.
+// Computes the contact of a mounted pair in one call. The result owns all data that it uses.
 //
 //   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
-// A ContactPair points to its gears and their modifications. The functions of this file copy both,
-// and the copies live as long as the ContactPair, so the caller need not keep `pair`.
+// A ContactPair points to its gears and their modifications. The functions of this file copy both.
+// The copies live as long as the ContactPair, so `pair` may be destroyed earlier.
 #pragma once
 
 #include <array>
@@ -46,11 +46,11 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
-/// The error of a request that analyse_contact does not allow.
+/// Returns an error if analyse_contact() does not allow the request.
 std::optional<Error> check_request(const ContactRequest& request);
 
-/// Analyses the contact of the pair under its errors. If contact is lost, the result is not an
-/// error, but `contact_lost` is set.
+/// Analyses the contact of the pair under its errors. Lost contact is not an error. In this case,
+/// `contact_lost` is set.
 ///
 /// Errors    as contact_pair and check_request
 /// Accuracy  as analyse_contact

@@ -33,7 +33,8 @@ FlankRaster empty_raster(const ContactPair& pair, int gear, const RasterSize& si
   return r;
 }
 
-// Index of the first patch that contains the point (u, z); −1 if the point lies beyond the flank.
+// Returns the index of the first patch that contains the point (u, z), or −1 if the point lies
+// beyond the flank.
 int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
   // Borders of neighbours are equal within rounding, for u = ln ρ and for z in mm.
   constexpr double kSlack = 1e-9;
@@ -64,7 +65,7 @@ struct Seen {
   bool near = false;        // true if u and Z were computed
 };
 
-// Two or three Newton steps are usual, and one more if the point lies on the next patch.
+// usually two or three Newton steps, and one more if the point lies on the next patch
 constexpr int kMaxPlaceSteps = 8;
 constexpr double kNearPatch = 1e-4;  // relative to the patch; the series holds for shorter steps
 
@@ -111,7 +112,7 @@ class Rasterer {
     }
   }
 
-  // The rasters in the frames of the gears, with rows and columns in ascending order.
+  // Returns the rasters in the frames of the gears, with rows and columns in ascending order.
   std::array<FlankRaster, 2> take() {
     for (FlankRaster& r : rasters_) {
       if (pair_.turned() > 0.0) continue;
@@ -166,8 +167,8 @@ class Rasterer {
     return seen;
   }
 
-  // Maps each cell of the raster of flank 1 to a quadrangle on flank 2. If a node of flank 2
-  // lies inside the quadrangle, the search for its opposite point starts in this cell.
+  // Maps each cell of the raster of flank 1 to a quadrangle on flank 2. For each node of flank 2,
+  // the search for the opposite point starts in the cell whose quadrangle contains the node.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -230,9 +231,10 @@ class Rasterer {
     }
   }
 
-  // The gap at the point (u, Z) of flank 2. Newton steps, which may change the patch, lead from
-  // an approximate opposite point (u1, z) on flank 1 to the exact one. A series of second order
-  // replaces the last step. The gap is infinite if the steps leave flank 1 or do not converge.
+  // Returns the gap at the point (u, Z) of flank 2. The search starts at (u1, z), the approximate
+  // opposite point on flank 1. Newton steps, which may change the patch, lead to the exact opposite
+  // point. A series of second order replaces the last step. The gap is infinite if the steps leave
+  // flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};
@@ -266,8 +268,9 @@ class Rasterer {
     return {};
   }
 
-  // If the middle of three successive gaps is the least, the minimum of their parabola is used.
-  // Gaps of different patches are not combined, because the gap jumps between patches.
+  // If the middle of three successive gaps is the least, the minimum of the parabola through the
+  // three gaps is used. Gaps of different patches are not combined, because the gap jumps between
+  // patches.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {
@@ -304,7 +307,7 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
   Transmission transmission(pair);
   const auto touches = transmission.over_a_pitch(-0.5 * pair.pitch(), positions);
   Rasterer rasterer(pair, size);
-  // Follows one tooth pair through its whole range, at every position of every pitch.
+  // Follows one tooth pair from its first to its last possible contact, at every position.
   const int farthest = transmission.farthest_pair();
   begin_stage(progress, "computing the contact pattern",
               (2 * std::int64_t{farthest} + 1) * positions);

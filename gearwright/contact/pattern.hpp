@@ -1,5 +1,5 @@
-// The contact pattern, which marking compound would show on both flanks after a full mesh, and the
-// gap between the flanks at one position.
+// Computes the contact pattern, which marking compound would show on both flanks after a full mesh,
+// and the gap between the flanks at one position.
 //
 //   gap   normal distance of the flanks, mm, at the actual rotation of gear 2; in a pattern, the
 //         least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
@@ -31,10 +31,10 @@ struct RasterSize {
 
 /// Least gap over all positions of a mesh, with `positions` per pitch, on the flanks of both gears.
 ///
-/// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
-///           This is exact if the contact moves at constant speed; otherwise, the error is some nm
-///           with 64 positions per pitch. If the gap at a point is least when the mating flank just
-///           begins to lie opposite this point, the gap at the next position is used
+/// Accuracy  between positions, the gap is interpolated by the parabola through three positions. If
+///           the contact moves at constant speed, the gap is exact. Otherwise, the error is some nm
+///           with 64 positions per pitch. If the gap at a point is least at the moment at which the
+///           point begins to lie opposite the mating flank, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},

@@ -94,9 +94,9 @@ RadialJet Profile::between_ends(const InvolutePiece& piece, double u, double&) c
 }
 
 RadialJet Profile::between_ends(const TrochoidPiece& piece, double u, double& s) const {
-  // Iterates from the last solution with steps of second order. The steps are limited to a
-  // bracket, because otherwise a step may jump to the other end of the circle. The squares of
-  // the radii are compared, so that no logarithm is needed near the solution.
+  // The iteration starts at the last solution and uses steps of second order. A bracket limits the
+  // steps, because otherwise a step may jump to the other end of the circle. The squares of the
+  // radii are compared, so that no logarithm is needed near the solution.
   constexpr int kMax = 60;
   constexpr double kClose = 1e-8;  // in u; the series covers a smaller remainder
   // Below this limit of |x|, three terms of the logarithm have an error of x⁴/8 ≤ 1.3e-17.
@@ -151,7 +151,7 @@ RadialJet Profile::between_ends(const RackFlank& piece, double u, double&) const
 }
 
 RadialJet Profile::at_radius(double u, double& s) const {
-  // The straight flank of a rack continues beyond its ends without a series.
+  // The straight flank of a rack continues beyond its ends, so no series is needed.
   const double inside = curve_ ? std::clamp(u, u_lo_, u_hi_) : u;
   RadialJet r =
       std::visit([&](const auto& piece) { return between_ends(piece, inside, s); }, piece_);
@@ -168,8 +168,8 @@ TurnPerRemoval Profile::turn_per_removal(double s) const {
     return TurnPerRemoval{1.0 / piece.arm, 0.0, 0.0};
   };
   const auto trochoid = [s](const TrochoidPiece& piece) {
-    // k = 1/(r cos β cos τ), because the rack moves along the datum line, and the component of its
-    // normal along that line is cos τ cos β.
+    // k = 1/(r cos β cos τ). The rack moves along the datum line, and the component of the normal
+    // along that line is cos τ cos β.
     const PolarJet j = piece.curve->polar_jet(s);
     const double k = 1.0 / (piece.arm_per_cos * std::cos(s));
     const double t = std::tan(s);

@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// A point of the transverse plane, at the height z.
+/// Returns the point w of the transverse plane at the height z.
 inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
 
 /// The outline at a radius:  θ = arg(factor) + phase.
@@ -41,8 +41,8 @@ struct TurnPerRemoval {
 
 class Profile {
  public:
-  /// The piece of an outline that consists of one arc, on the side c. `twist` is the twist τ of the
-  /// gear, rad/mm, from which the normal of the surface is computed.
+  /// Makes the piece of an outline that consists of one arc, on the side c. `twist` is the twist τ
+  /// of the gear, rad/mm. The normal of the surface depends on the twist.
   Profile(const Arc& arc, double side, double twist);
 
   /// The straight flank of a rack, θ(u) = side (half − slope u) for u_lo ≤ u ≤ u_hi.
@@ -60,23 +60,28 @@ class Profile {
 
   /// The point at the parameter s, with derivatives.
   ///
-  /// Domain    on the piece and near it, because the formulas continue beyond the ends; not the
-  ///           flank of a rack (contract)
+  /// Domain    on the piece and near it, because the formulas continue beyond the ends. The flank
+  ///           of a rack is excluded (contract)
   PolarJet at(double s) const;
-  /// The outline at ln ρ = u, continued by a Taylor series of second order beyond the ends. The
-  /// iteration for rack circles starts at `s`, the parameter from the last call, and updates it.
+  /// Returns the outline at ln ρ = u, continued by a Taylor series of second order beyond the ends.
+  /// For rack circles, the iteration starts at `s`, the parameter from the last call, and updates
+  /// `s`.
   RadialJet at_radius(double u, double& s) const;
-  /// The rotation per mm of removed material at s, which must not lie far beyond the ends. [T8.7]
+  /// Returns the rotation per mm of removed material at s. s must not lie far beyond the ends.
+  /// [T8.7]
   ///
   /// Domain    not the flank of a rack (contract)
   TurnPerRemoval turn_per_removal(double s) const;
-  double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
-  double s_of(double u, double start) const;  ///< the same; iterates from `start`
-  const Involute* involute() const {          ///< null for another curve
+  /// Returns s at u, to rounding. If u lies beyond the piece, returns s at the nearer end. The
+  /// iteration of the second function starts at `start`.
+  double s_of(double u) const;
+  double s_of(double u, double start) const;
+  const Involute* involute() const {  ///< null for another curve
     const auto* piece = std::get_if<InvolutePiece>(&piece_);
     return piece ? piece->curve : nullptr;
   }
-  /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
+  /// Returns the normal angle of the generating rack. Returns none if no circular arc of a rack cut
+  /// the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:

@@ -41,7 +41,8 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
   if (auto error = check_rack_errors(errors)) return *error;
   if (auto error = check_cutter_lead(pinion, 1, errors.cutter_lead[0])) return *error;
 
-  // Derivatives with respect to a modification need its field, even if nothing is removed.
+  // Derivatives with respect to a modification need the field of removed material, even if nothing
+  // is removed.
   const auto& influences = options.request.influences;
   const bool fields = any_modification({right, left}) ||
                       std::any_of(influences.begin(), influences.end(),

@@ -27,10 +27,11 @@ struct RackContact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 
-/// An Error if `errors.helix_twist[1]` or `errors.cutter_lead[1]` is not 0. A rack is exact.
+/// Returns an error if `errors.helix_twist[1]` or `errors.cutter_lead[1]` is not 0, because a rack
+/// has no errors of its teeth.
 std::optional<Error> check_rack_errors(const ContactErrors& errors);
 
-/// A pinion and a rack for contact analyses. The result owns the pinion.
+/// Makes the pair of a pinion and a rack for contact analyses. The result owns the pinion.
 ///
 /// Units     mm, rad; `options.modifications[1]` must be empty (contract)
 /// Errors    `gear1` without a usable flank; `gear1.modifications.…` as make_removal_field;
@@ -44,8 +45,8 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
 /// Errors    as contact_pair and check_request
 /// Accuracy  as analyse_contact
 /// Laws      (1) without errors and modifications, the transmission error is constant, at every
-///           centre distance   (2) the result for a wheel with z2 teeth differs from the result for
-///           the rack by the order of 1/z2
+///           centre distance   (2) if a wheel with z2 teeth replaces the rack, the result differs
+///           by the order of 1/z2
 Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors = {},
                             const ContactOptions& options = {});
 

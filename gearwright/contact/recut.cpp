@@ -13,17 +13,17 @@ namespace gearwright {
 
 namespace {
 
-// The parameter near `was` at which the curve has the radius ρ. The bracket grows only while the
-// radius is monotone, because beyond a cusp the radius changes in the opposite sense.
+// Returns the parameter near `was` at which the curve has the radius ρ. The bracket grows only
+// while the radius is monotone, because beyond a cusp the radius changes in the opposite sense.
 double same_radius(const Curve& curve, double was, double rho, bool grows, double width) {
   const auto radius = [&](double t) { return curve.point(t).norm(); };
   const double more = rho - radius(was);
   if (more == 0.0) return was;
   const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
   double last = was;
-  // The first step, relative to the width of the arc. Changes of lead that occur in a workshop
-  // move the ends by less than a few such steps. Each step is twice as long as the previous
-  // one, so 19 steps reach half the width.
+  // The first step, relative to the width of the arc. Usual corrections of the lead move the ends
+  // by less than a few such steps. Each step is twice as long as the previous one, so 19 steps
+  // reach half the width.
   constexpr double kFirstStep = 1e-6;
   for (double step = kFirstStep * width; step < 0.5 * width; step *= 2) {
     const double next = was + sense * step;
@@ -43,7 +43,7 @@ double changed_cos_beta(const Gear& gear, double delta_lambda) {
   return std::sin(std::atan2(1.0, r * std::abs(gear.twist())) + delta_lambda);
 }
 
-// The cutting edge of the gear's rack. The edge exists, because the gear has been cut with it.
+// Returns the cutting edge of the gear's rack. The edge exists, because it has cut the gear.
 CutterEdge edge_of(const CylindricalSpec& spec) {
   return std::visit(
       Overloaded{[&](const StraightRack& rack) {

@@ -15,14 +15,15 @@ namespace gearwright {
 ///
 /// Domain    0 < λ + Δλ < π; Δλ = 0 for a spur gear (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
-/// The arc that the gear's rack cuts with the changed lead angle, instead of the flank arc `arc`.
-/// The ends of the new arc have the radii of the ends of `arc`.
+/// Returns the arc that the gear's rack cuts with the changed lead angle. This arc replaces the
+/// flank arc `arc`, and its ends have the same radii.
 ///
-/// Domain    arcs that a rack cuts, unless Δλ = 0 (contract)
+/// Domain    an arc that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
-/// The whole half tooth that the gear's rack cuts with the changed lead angle, with root
-/// fillet, tip and new ends of the flank. None if no tooth is left, if a pinion cutter cut the
-/// gear, or if the root or the tip has a circular fillet, because no rack cuts such a fillet.
+/// Returns the whole half tooth that the gear's rack cuts with the changed lead angle, with root
+/// fillet, tip and new ends of the flank. Returns none if no tooth is left, or if a pinion cutter
+/// cut the gear. Also returns none if the root or the tip has a circular fillet, because no rack
+/// cuts such a fillet.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

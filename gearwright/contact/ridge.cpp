@@ -21,9 +21,10 @@ Mat2d hessian(const Jet2& j) {
   return h;
 }
 
-// Slope and curvatures of the gap at a touch, in the tangent plane of flank 1. If the slope of
-// T is not 0, the second derivatives of T with respect to s and z also contain the curvature of
-// the coordinate lines within the surface. This part is subtracted (Christoffel symbols).
+// Returns the slope and the curvatures of the gap at a touch, in the tangent plane of flank 1. If
+// the slope of T is not 0, the second derivatives of T with respect to s and z also contain the
+// curvature of the coordinate lines within the surface. This part is subtracted (Christoffel
+// symbols).
 ContactRidge::Side side_of(const GapJet& j) {
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);
@@ -48,8 +49,8 @@ ContactRidge::Side side_of(const GapJet& j) {
   return {arm * slope.norm(), {eigen.values[0], eigen.values[1]}};
 }
 
-// The curvature of the gap along the curve c = const of the surface, at a point at which T is
-// stationary along this curve.
+// Returns the curvature of the gap along the curve c = const of the surface. T must be stationary
+// along this curve at the point.
 double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   const Vec2d t(-c[1], c[0]);
   const double mu = -Vec2d(j.t.s, j.t.z).dot(c) / c.squaredNorm();
@@ -57,10 +58,10 @@ double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   return -GapField::arm(j) * t.dot((hessian(j.t) + mu * c_bend) * t) / step.squaredNorm();
 }
 
-// The index of the patch beyond a border of `here`. At a border of u (`of_u`), both patches
-// have the same range of z, and their ranges of u adjoin. At a border of z, both have the same
-// range of u, and their ranges of z adjoin. Both patches store the common border as the same
-// number, except for the rounding of ln ρ.
+// Returns the index of the patch beyond a border of `here`. At a border of u (`of_u` is true), both
+// patches have the same range of z, and their ranges of u adjoin. At a border of z, both have the
+// same range of u, and their ranges of z adjoin. Both patches store the same number for the common
+// border, except for the rounding of ln ρ.
 int across(const std::vector<FlankPatch>& patches, const FlankPatch& here, bool of_u, bool below) {
   constexpr double kSame = 1e-9;
   const auto same = [](double a, double b) { return std::abs(a - b) < kSame; };
@@ -105,7 +106,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const bool of_u = bound % 4 < 2;
   const FlankPatch& here = gear == 1 ? field.one() : field.two();
   bool below = bound % 2 == 0;
-  // The bound limits s. If u decreases with s, the lower bound of s is the upper bound of u.
+  // If u decreases with s, the lower bound of s is the upper bound of u.
   if (gear == 1 && of_u && !here.profile.grows()) below = !below;
   const int other = across(pair.patches(gear), here, of_u, below);
   const auto n = static_cast<int>(pair.patches(2).size());

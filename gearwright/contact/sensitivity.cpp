@@ -7,8 +7,8 @@ namespace gearwright {
 
 namespace {
 
-// The derivatives of φ2*, u and Z with respect to e at a fixed point (s, z) of flank 1. p_s and so
-// on are the derivatives of these derivatives with respect to s and z.
+// The derivatives of φ2*, u and Z with respect to e at a fixed point (s, z) of flank 1. A suffix _s
+// or _z marks a further derivative with respect to s or z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
@@ -16,7 +16,7 @@ struct Change {
   FreeVector<World> dr;                     // motion of the point per unit of e
 };
 
-// Adds the effect of a motion d of the point. d varies with s and z.
+// Adds the effect of a motion d of the point. d_s and d_z are the derivatives of d.
 void add_motion(Change& c, const GapJet& j, const FreeVector<Axis2>& d,
                 const FreeVector<Axis2>& d_s, const FreeVector<Axis2>& d_z) {
   const Complex over = 1.0 / j.w;
@@ -231,11 +231,11 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
 
 namespace {
 
-// ∂T*/∂e, from the derivatives `c` at a fixed point. A row is a line of constant z on flank 1.
-// T* is the greatest T of the row and lies at (s, z).
+// Returns ∂T*/∂e. `c` contains the derivatives at a fixed point. A row is a line of constant z on
+// flank 1. T* is the greatest T of the row and lies at (s, z).
 double of_row(const GapField& field, const GapJet& j, const Change& c) {
   // If T* lies inside the row, ∂T/∂s = 0, so a change of s has no effect on T*. At an end of flank
-  // 1, s does not change. At an end of flank 2, s changes with e.
+  // 1, s does not change. At the point opposite an end of flank 2, s changes with e.
   constexpr double kAtEnd = 1e-9;  // relative to the patch, in which (s, z) is accurate to 1e-15
   const FlankPatch& two = field.two();
   const double near = kAtEnd * (two.u_hi - two.u_lo);
@@ -282,7 +282,7 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // If gear 2 drives, both rotations change sign in the frame N, so their quotient does not.
+  // If gear 2 drives, both rotations change sign in the frame N, so their quotient stays the same.
   return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 

@@ -1,5 +1,5 @@
-// Exact derivatives of transmission error and contact point with respect to every error and every
-// modification.
+// Exact derivatives of the transmission error and of the contact point with respect to an error or
+// to the amount of a modification.
 //
 //   e          an error, or an amount of a modification     T, φ2*   as in gap_field.hpp
 //   c_j, μ_j   active bounds of the touch and their multipliers (touch.hpp)
@@ -50,23 +50,23 @@ struct Sensitivity {
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
-/// ∂T*/∂e in the frame N, rad per unit of e. T* is the greatest T over the profile at a fixed
-/// height z of flank 1, and lies at the parameter s. If the point (s, z) lies opposite an end of
-/// the patch of flank 2, s changes with e so that the point stays opposite this end.
+/// Returns ∂T*/∂e in the frame N, rad per unit of e. T* is the greatest T over the profile at a
+/// fixed height z of flank 1, and lies at the parameter s. If the point (s, z) lies opposite an end
+/// of the patch of flank 2, s changes with e so that the point stays opposite this end.
 ///
 /// Domain    as sensitivity(), for patches of this pair (contract)
 /// Accuracy  rounding
 double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
                  const Influence& influence);
 
-/// The effect on T, in the frame N, of material that is removed from a flank. [T8.7]
+/// The effect on T, in the frame N, of removing material from a flank. [T8.7]
 struct RemovalTurn {
   double te;                    ///< change of T*, rad per mm removed
   double u, z;                  ///< the point, as arguments of the gear's RemovalField
   RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
 };
 
-/// The effect on T* of material that is removed from `gear`. T* is the greatest T over the profile
+/// Returns the effect on T* of removing material from `gear`. T* is the greatest T over the profile
 /// at a fixed height z of flank 1, and lies at the parameter s.
 ///
 /// Units     rad, mm
@@ -75,7 +75,8 @@ struct RemovalTurn {
 /// Laws      `te` times the removal per unit of a modification is row_slope() of this modification
 RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
 
-/// dTE/dφ1, rad/rad, exact. It is computed like a sensitivity in which e is the rotation of gear 1.
+/// Returns dTE/dφ1, rad/rad, exact. The method is that of sensitivity(), with the rotation of gear
+/// 1 as e.
 double rotation_slope(Transmission& transmission, const PairTouch& touch);
 
 }  // namespace gearwright

@@ -19,7 +19,7 @@ constexpr double kBroken = 1e-9;       // scaled; greatest violation of a bound 
 constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
-// Two touches count as one maximum if T differs by less than kSameTe, rad, and if their scaled
+// Two touches count as one maximum if their T differs by less than kSameTe, rad, and their scaled
 // distance is less than kSamePlace.
 constexpr double kSameTe = 1e-12;
 constexpr double kSamePlace = 1e-5;
@@ -63,7 +63,7 @@ bool make_concave(detail::StepProblem& p) {
   return flat;
 }
 
-// The azimuth of flank 1 at s in the section z = 0, in the housing.
+// Returns the azimuth of flank 1 at s in the section z = 0, in the housing.
 double azimuth_of(const GapField& field, double s) {
   const FlankPatch& a = field.one();
   const PolarJet p = a.profile.at(s);
@@ -128,7 +128,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   detail::StepProblem p;
   const double ks = scale_.s_half;
   const double kz = scale_.z_half;
-  // The merit of a point is T minus an exact penalty for violated bounds.
+  // The merit of a point is its T minus an exact penalty for violated bounds.
   double price = 0.0;
   const auto merit = [&](const GapJet& at) {
     double broken = 0.0;
@@ -144,7 +144,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     ++t.evaluations;
     ++count_.evaluations;
     fill(at, t.s, t.z, p);
-    // A step that lowers the merit is halved, unless it is so short that rounding errors matter.
+    // A step that lowers the merit is halved. Very short steps are not halved, because their change
+    // of the merit is a rounding error.
     if (const double now = merit(at);
         now < last_merit - kWorse && d_s * d_s + d_z * d_z > kTinySquare) {
       d_s *= 0.5;
@@ -153,8 +154,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
       t.z -= d_z * kz;
       continue;
     }
-    // The bounds of flank 2 are curved, so the curvature of an active bound, times its multiplier,
-    // is added to H.
+    // The bounds of flank 2 are curved. The curvature of an active bound times its multiplier is
+    // therefore added to H.
     for (int m = 0; m < 2; ++m) {
       const int j = m == 0 ? t.active.first : t.active.second;
       const double mu = t.multiplier[m];
@@ -241,8 +242,8 @@ bool is_peak(const Grid& grid, int i, int k) {
   return true;
 }
 
-// The row of a section from which a search starts: the row with the greatest value inside D, or the
-// row nearest to D if no node lies inside.
+// Returns the row of a section from which a search starts. This is the row with the greatest value
+// inside D. If no node lies inside, it is the row nearest to D.
 int best_row(const std::array<GridNode, kRows>& section) {
   int best = 0;
   for (int k = 1; k < kRows; ++k) {
@@ -264,8 +265,8 @@ bool TouchSearch::uneven() const {
 
 // T varies slowly along the line of contact and rapidly across it. The maxima of T are therefore
 // first computed in each section (a line of constant z) by Newton steps along the profile. These
-// steps start at every row (a line of constant s) whose T exceeds T of both neighbouring rows. A
-// search then starts from each of these maxima that no neighbouring section exceeds.
+// steps start at every row (a line of constant s) whose T exceeds T of both neighbouring rows. If
+// no neighbouring section has a greater maximum nearby, a search starts from the maximum.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows
@@ -314,7 +315,7 @@ std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi)
   std::vector<std::array<double, 3>> starts;
   for (int i = 0; i < kFine; ++i) {
     for (const Crest& c : sections[i]) {
-      // The line of contact is inclined, so a neighbouring section has this crest at another s.
+      // The line of contact is inclined, so the same crest has another s in a neighbouring section.
       const auto higher = [&](int other) {
         if (other < 0 || other >= kFine) return false;
         return std::any_of(sections[other].begin(), sections[other].end(), [&](const Crest& o) {

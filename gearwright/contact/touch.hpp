@@ -1,5 +1,6 @@
-// Computes where two flanks touch. D is the part of flank 1 that lies opposite flank 2. Newton
-// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over D.
+// Computes the point at which two flanks touch. D is the part of flank 1 that lies opposite flank
+// 2. T (gap_field.hpp) is greatest over D at this point. Newton steps within the eight bounds of D
+// find it.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
@@ -51,13 +52,14 @@ class TouchSearch {
   /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the
   /// bounds that are active at this point.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of nine points. If this search fails, cold() is used. The result is the
-  /// greatest T if T has only one maximum.
+  /// Searches from the best of nine points. If this search fails, cold() is used. The result has
+  /// the greatest T if T has only one maximum.
   Touch from_middle() const;
   /// Searches the whole flank, from every peak of a grid and from both end sections of D.
   Touch cold() const;
-  /// All local maxima of the whole flank, the greatest first. Uneven flanks have a maximum for each
-  /// crest, so searches on them start from the maxima over the profile at several heights.
+  /// Returns all local maxima of the whole flank, the greatest first. Uneven flanks have a maximum
+  /// for each crest. The searches on these flanks start from the maxima over the profile at several
+  /// heights.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography or form waves, so that T may have many maxima.
@@ -65,7 +67,7 @@ class TouchSearch {
 
   const TouchCount& count() const { return count_; }
   const GapField& field() const { return field_; }
-  /// The scaled value of bound j at a point, ≥ 0 inside.
+  /// Returns the scaled value of bound j at a point. The value is ≥ 0 inside.
   double bound(const GapJet& at, double s, double z, int j) const;
 
  private:

@@ -27,14 +27,14 @@ bool all_of(bool a) { return a; }
 constexpr int kMostSteps = 12;  // six are usual for a start in the middle of the line of contact
 constexpr double kLongestStep = 0.6;
 
-// The angle of a flank, apart from arg(1 + i c ξ), as a polynomial.
+// The polar angle of a flank minus arg(1 + i c ξ), as a polynomial.
 struct FlankAngle {
   double base_radius;  // mm
   double at_0, by_xi, by_xi2, by_z, by_z2;
 };
 
-// LaneSearch applies to an involute if its modifications are polynomials of second degree in
-// L = r_b |ξ| and in z, without mixed terms. Their derivatives at one point give all coefficients.
+// LaneSearch requires an involute whose modifications are polynomials of second degree in L = r_b
+// |ξ| and in z, without mixed terms. The derivatives at one point then give all coefficients.
 std::optional<FlankAngle> angle_of(const FlankPatch& f, double xi_mid) {
   const Involute* curve = f.profile.involute();
   if (!curve) return std::nullopt;
@@ -173,7 +173,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
     in(I::s, i) = t.touch.s;
     in(I::z, i) = t.touch.z;
     in(I::mu_a, i) = in(I::mu_b, i) = 0.0;
-    // If the start is not a touch, the bounds of the last touch that was found are tried first.
+    // If the start is not a touch, the active bounds of the touch found last are tried first.
     if (!t.touch.found()) t.touch.active = last;
     set_bounds(i, t.touch.active);
     owner[i] = &t;
@@ -202,8 +202,8 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
         t.z = in(I::z, i);
         const std::array<double, 2>& of_flank2 = widths_[static_cast<std::size_t>(at.fields)];
         t.s2 = of_flank2[0];
-        // LaneSearch bounds N = |W|², and TouchSearch bounds u = ln |W|. The multiplier of a bound
-        // of N is therefore converted to the multiplier of the corresponding bound of u.
+        // LaneSearch bounds N = |W|², while TouchSearch bounds u = ln |W|. The multiplier of a
+        // bound of N is therefore converted to the multiplier of the corresponding bound of u.
         const auto price = [&](I kind, I mu) {
           const double k = in(kind, i);
           return k > 1.5 && k < 2.5 ? in(mu, i) * out(O::by_n, i) * of_flank2[1] : in(mu, i);

@@ -4,9 +4,10 @@
 //   N   |W|², square of the radius of a point on gear 2, mm²
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
-// Every lane does the Newton steps of TouchSearch with the active bounds of its last step. If these
-// bounds do not give a valid step, solve_step() chooses other bounds for this lane. If a lane does
-// not converge, its touch counts as not found, and the caller searches this position alone.
+// Every lane does the Newton steps of TouchSearch with the active bounds of its previous step. If
+// these bounds do not give a valid step, solve_step() chooses other bounds for this lane. If a lane
+// does not converge, its touch counts as not found, and the caller searches this position
+// separately.
 #pragma once
 
 #include <array>
@@ -44,22 +45,22 @@ struct LaneBlock {
 
 /// Does one step at all positions of a block.
 ///
-/// Laws      both functions return the same bits
+/// Laws      touch_step() and touch_step_scalar() return the same bits
 void touch_step(LaneBlock& block);
 void touch_step_scalar(LaneBlock& block);
 
 class LaneSearch {
  public:
-  /// None if a flank is not an involute, or if its modifications are not polynomials.
+  /// Returns none if a flank is not an involute, or if its modifications are not polynomials.
   static std::optional<LaneSearch> of(const Transmission& transmission);
 
   /// Searches touches of tooth pair 0. Each search starts at `touch.s` and `touch.z` with the
-  /// bounds `touch.active`. If a touch is not found, its `fields` becomes −1.
+  /// active bounds `touch.active`. If no touch is found, `fields` is set to −1.
   void solve(std::vector<PairTouch>& touches) const;
 
  private:
-  std::vector<std::array<double, kLaneIn>> fields_;  // of each pair of patches, at rotation 0
-  std::vector<std::array<double, 2>> widths_;        // s_mid of flank 2 and its width in u
+  std::vector<std::array<double, kLaneIn>> fields_;  // for each pair of patches, at rotation 0
+  std::vector<std::array<double, 2>> widths_;        // of flank 2: s_mid, and the width in u
   double turn1_ = 0.0, turn2_ = 0.0;                 // change of B1 and B2 per rad of φ1
 };
 

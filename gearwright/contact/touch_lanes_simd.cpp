@@ -1,5 +1,6 @@
-// The vector code of contact/touch_lanes.hpp with Google Highway. The file is compiled once for
-// each instruction set. The best version for the processor is selected at run time.
+// The vector code of contact/touch_lanes.hpp, written with Google Highway. The file is compiled
+// once for each instruction set. At run time, the program selects the best version for the
+// processor.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gearwright/contact/touch_lanes_simd.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

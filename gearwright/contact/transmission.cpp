@@ -10,9 +10,9 @@ namespace gearwright {
 
 namespace {
 
-// True if the patches together form one flank, the borders between them are kinks of the
-// modifications, and no part of the flank is concave. A relief of an involute removes material
-// beyond its kink, so that the flank is convex at the kink, too.
+// True if three conditions hold: the patches together form one flank, the borders between the
+// patches are kinks of the modifications, and no part of the flank is concave. A relief of an
+// involute removes material beyond its kink, so the flank is convex at the kink, too.
 bool is_convex(const std::vector<FlankPatch>& flank) {
   const RemovalField* removal = flank.front().removal;
   if (flank.size() != (removal ? removal->pieces().size() : 1)) return false;
@@ -23,15 +23,15 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
   return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// True if the flanks overlap beside the line of action, which happens for internal pairs on crossed
-// axes [T4.35]. T then has a maximum at an edge on each side of the line.
+// True if the flanks overlap beside the line of action. Such an overlap occurs for internal pairs
+// on crossed axes [T4.35]. T then has a maximum at an edge on each side of the line.
 bool is_saddle(const ContactPair& pair) {
   return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
 }
 
-// True if the teeth of a ring reach beyond the point at which the line of action touches the
-// base circle of the pinion. Beyond this point, the concave flank of the ring is more curved
-// than the flank of the pinion, and T has another maximum at the tip of the ring's teeth.
+// True if the teeth of a ring extend beyond the point at which the line of action touches the base
+// circle of the pinion. Beyond this point, the curvature of the concave flank of the ring exceeds
+// that of the flank of the pinion. T then has another maximum at the tip of the ring's teeth.
 bool reaches_beyond_action(const ContactPair& pair) {
   const Involute* one = pair.patches(1).front().profile.involute();
   const Involute* two = pair.patches(2).front().profile.involute();
@@ -40,15 +40,15 @@ bool reaches_beyond_action(const ContactPair& pair) {
   for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double r_b2 = two->base_radius(), between = r_b2 - one->base_radius();
-  // The point at which the line of action touches the base circle of the pinion has the
-  // distance √(r_b2² + (a sin α_w)²) from axis 2. Here, a sin α_w is the length of the line of
-  // action between the base circles.
+  // The line of action touches the base circle of the pinion at the distance √(r_b2² + (a sin
+  // α_w)²) from axis 2. Here, a sin α_w is the length of the line of action between the base
+  // circles.
   return tip * tip < r_b2 * r_b2 + a * a - between * between;
 }
 
-// The number of the patch beyond an end of p, or −1 if there is none. Ends 0 and 1 are the lower
-// and the upper end of the range of u if `of_u` is true, and of the range of s otherwise. Ends 2
-// and 3 are the lower and the upper end of the range of z.
+// Returns the number of the patch beyond an end of p, or −1 if there is none. Ends 0 and 1 are the
+// lower and the upper end of the range of u (if `of_u` is true) or of s (if `of_u` is false). Ends
+// 2 and 3 are the lower and the upper end of the range of z.
 int patch_across(const std::vector<FlankPatch>& flank, const FlankPatch& p, int end, bool of_u) {
   const bool lower = (end % 2 == 0) == (end >= 2 || of_u || p.profile.grows());
   const auto is_next = [&](const FlankPatch& o) {
@@ -59,8 +59,8 @@ int patch_across(const std::vector<FlankPatch>& flank, const FlankPatch& p, int 
   return next == flank.end() ? -1 : static_cast<int>(next - flank.begin());
 }
 
-// Greatest angle from the mesh azimuth, rad, at which points of patch `one` can lie in the annulus
-// of patch `two`. [T8.13]
+// Returns the greatest angle from the mesh azimuth, rad, at which points of patch `one` can lie in
+// the annulus of patch `two`. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().axis_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -154,13 +154,13 @@ Touch Transmission::highest_crest(int fields, double phi) {
 }
 
 PairTouch Transmission::at(double phi) {
-  // Whole pitches change only the number of the tooth pair.
+  // A shift by whole pitches changes only the number of the tooth pair.
   const double whole = std::round(phi / pair_.pitch());
   phi -= whole * pair_.pitch();
   count_step(progress_);
   PairTouch best;
-  // WaveCrests finds no crests far beyond the path of contact. If no tooth pair has a crest, a pair
-  // beyond its path may still touch, so the whole flanks are searched.
+  // WaveCrests finds no crests far beyond the path of contact. A pair beyond its path may still
+  // touch. If no tooth pair has a crest, the whole flanks are therefore searched.
   for (const bool of_crests : {true, false}) {
     if (of_crests && crests_.empty()) continue;
     if (best.found()) break;
@@ -215,8 +215,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// For every position, searches from those crests that may be the highest. The crests of all
-// tooth pairs are estimated first, beginning near the centre line, where teeth usually touch.
+// For every position, the function searches from each crest that may be the highest. It estimates
+// the crests of all tooth pairs first. It begins near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
     detail::WaveCrests::Crest crest;
@@ -255,7 +255,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
     // Far beyond the path of contact, WaveCrests overestimates T. An overestimated crest may have
-    // excluded the crest that is in fact the highest. The position is then searched again by at().
+    // excluded the crest that is actually the highest. In this case, at() searches the position
+    // once more.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

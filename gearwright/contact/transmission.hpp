@@ -1,14 +1,14 @@
-// Computes, at each position, the transmission error (the rotation of gear 2 minus its nominal
-// rotation), the tooth pair that touches, and the point at which it touches.
+// Computes the transmission error (the rotation of gear 2 minus its nominal rotation), the tooth
+// pair that touches, and the point at which it touches. These are computed at each position.
 //
 //   T     greatest value of the gap field (gap_field.hpp) of tooth pair 0
 //   N     frame of contact_pair.hpp
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
-// Only tooth pair 0 is followed through its whole range, because the other pairs repeat its motion
-// with a delay of whole pitches. On convex flanks, the greatest T is followed across the borders of
-// patches. On other flanks, every pair of patches is followed separately, and the greatest of their
-// T is used.
+// Only tooth pair 0 is followed from its first to its last contact, because the other pairs repeat
+// its motion with a delay of whole pitches. On convex flanks, the greatest T is followed across the
+// borders of patches. On other flanks, every pair of patches is followed separately, and the
+// greatest T of all pairs of patches is used.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ class LaneTrack;   // contact/lane_track.hpp
 class WaveCrests;  // contact/wave_crests.hpp
 }  // namespace detail
 
-/// A touch of tooth pair k. Pair 0 has the same touch, k pitches of gear 1 earlier.
+/// A touch of tooth pair k. Pair 0 touches in the same way, k pitches of gear 1 earlier.
 struct PairTouch {
   Touch touch;
   int fields = -1;   ///< index of the pair of patches; −1 without contact
@@ -40,36 +40,39 @@ struct PairTouch {
 
 namespace detail {
 
-// If T of several pairs is equal within rounding, the pair nearest to the centre line is used.
+// If several pairs have the same T within rounding, the pair nearest to the centre line is used.
 constexpr double kTogether = 1e-13;  // rad
 
-/// True if a touch of pair 0 at φ replaces `best`.
+/// True if the touch `t` of pair 0 at φ has a greater T than `best` or, within rounding, the same T
+/// nearer to the centre line.
 bool wins(const Touch& t, double phi, const PairTouch& best);
 
 }  // namespace detail
 
 class Transmission {
  public:
-  /// The pair must outlive this object. `progress` counts every position.
+  /// Makes the transmission of a pair. The pair must outlive this object. `progress` counts every
+  /// position.
   explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
   /// The touches at n positions over one pitch, in steps of pitch/n from `first` in frame N, rad.
   std::vector<PairTouch> over_a_pitch(double first, int n);
-  /// The touch at any rotation. The search uses no other touch.
+  /// Returns the touch at any rotation. The search does not use other touches.
   PairTouch at(double phi);
-  /// The touch of tooth pair 0 alone, even if another pair has a greater T. If wavy(), no touch is
-  /// found far beyond the path of contact.
+  /// Returns the touch of tooth pair 0, even if another pair has a greater T. If wavy() is true,
+  /// touches far beyond the path of contact are not found.
   PairTouch of_pair_0(double phi);
-  /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
-  /// The search starts at `from`. Not found if these patches do not touch at that rotation.
+  /// Returns the touch of the tooth pair of `from`, on the same patches, at the rotation φ of pair
+  /// 0. The search starts at `from`. The result is not found() if these patches do not touch at
+  /// that rotation.
   PairTouch follow(const PairTouch& from, double phi);
-  /// Like follow(), but on convex flanks with several patches, the touch moves to the pair of
-  /// patches on which T of this tooth pair is greatest.
+  /// Works like follow(). On convex flanks with several patches, the touch also moves to the pair
+  /// of patches on which T of this tooth pair is greatest.
   PairTouch follow_pair(const PairTouch& from, double phi);
   /// True if follow_pair() crosses the borders of patches.
   bool crosses_patches() const { return convex_ && fields_.size() > 1; }
-  /// All local maxima of T of tooth pair 0 on all pairs of patches. Maxima at a seam are included,
-  /// even if T rises beyond the seam.
+  /// Returns all local maxima of T of tooth pair 0 on all pairs of patches. A maximum at a seam is
+  /// included, even if T is greater beyond the seam.
   std::vector<PairTouch> every_of_pair_0(double phi);
 
   const ContactPair& pair() const { return pair_; }
@@ -78,8 +81,7 @@ class Transmission {
   /// Sets the field to the rotation of the touch, and returns the field and its derivatives at
   /// (s, z). The parameter on flank 2 is exact to rounding.
   GapJet jet_at(const PairTouch& t, double s, double z);
-  /// True if T has many maxima because of form waves. They are found in closed form at every
-  /// position.
+  /// True if T has many maxima because of form waves. The maxima are then found in closed form.
   bool wavy() const { return !crests_.empty(); }
   int farthest_pair() const { return farthest_pair_; }  ///< greatest |k| of a pair that can touch
   TouchCount count() const;

@@ -30,8 +30,9 @@ TEST(Transmission, backlash_is_a_constant) {
   for (const double te : transmission_error(p.pair(), 9)) EXPECT_NEAR(te, half, 1e-14);
 }
 
-// Tip relief removes edge contact from a pair with errors. T of the relief patches begins far below
-// T of the others and rises. The curve must equal a cold search of whole flanks at each position.
+// Tip relief removes edge contact from a pair with errors. At first, T of the patches in the relief
+// is far below T of the other patches, and it increases from there. The curve must equal a search
+// of whole flanks from scratch at each position.
 TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
   auto p = testing::involutes(20, 88, 0);
   const Gear& g = p.gears[0];
@@ -54,7 +55,7 @@ TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
 
 TEST(Transmission, lost_contact_is_a_fact) {
   auto p = testing::involutes(20, 41, 0);
-  p.place.errors.center_distance = 3.7;  // the tips miss each other over part of a pitch
+  p.place.errors.center_distance = 3.7;  // the tips do not reach each other over part of a pitch
   const auto some = transmission_error(p.pair(), 32);
   p.place.errors.center_distance = 5.0;
   const auto none = transmission_error(p.pair(), 32);

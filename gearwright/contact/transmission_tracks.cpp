@@ -9,16 +9,16 @@ namespace gearwright {
 
 namespace {
 
-// A tooth pair is followed until its T decreases and is less than T of another pair by more
-// than a limit, rad. On convex flanks, T has only one maximum, and the limit is kBelow. On
-// other flanks, another maximum may follow, and the limit is kFarBelow.
+// The function follows a tooth pair until its T decreases and is below T of another pair by more
+// than a limit, rad. On convex flanks, T has only one maximum, and the limit is kBelow. On other
+// flanks, another maximum may follow, and the limit is kFarBelow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
 // Predicts the point of the next touch by the polynomial through the last four touches at equal
-// steps. If the active bounds change, the path of the touches has a kink. In this case, only
-// the touches after the change and one before it are used. Each additional order of the
-// polynomial saves a step of the search.
+// steps. If the active bounds change, the path of the touches has a kink. In this case, the
+// polynomial uses only the touches after the change and one touch before the change. Each
+// additional order of the polynomial saves a step of the search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -47,10 +47,10 @@ class PlaceAhead {
 
 }  // namespace
 
-// The touch with the greatest T of a convex flank at φ. The search starts at `from`, which is a
-// touch or a point near one. T over the flank is concave. The T of a touch is therefore the
-// greatest if no pair of patches beyond an active border has a greater T. On a ridge, both
-// sides have the same T, and the pair of patches with the lower index is used.
+// Returns the touch with the greatest T of a convex flank at φ. The search starts at `from`, which
+// is a touch or a point near one. T over the flank is concave. A touch therefore has the greatest T
+// if no pair of patches beyond an active border has a greater T. On a ridge, both sides have the
+// same T, and the pair of patches with the lower index is used.
 PairTouch Transmission::climb(const PairTouch& from, double phi) {
   const int count = static_cast<int>(fields_.size());
   const int most_crossings = 2 * count;  // so that rounding errors cannot cause an endless loop
@@ -109,8 +109,9 @@ class Transmission::Track {
   }
 
   // Follows a touch from position m in one direction. `step` computes the touch at a rotation from
-  // a predicted touch. The track ends if no touch is found, if T decreases and is well below T of
-  // another pair, or if `known` returns true because another track contains this touch.
+  // a predicted touch. `known` returns true if another track contains the touch. The track ends if
+  // no touch is found, if `known` returns true, or if T decreases and is well below T of another
+  // pair.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;
@@ -139,7 +140,7 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// The indices of the pairs of patches. The pair with the largest patches is the first.
+// Returns the indices of the pairs of patches, the pair with the largest patches first.
 std::vector<int> Transmission::largest_first() const {
   std::vector<std::pair<double, int>> order;
   for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
@@ -176,7 +177,7 @@ void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best)
       const auto never = [](int, const Touch&) { return false; };
       const auto step = [&](const PairTouch& start, double phi) { return climb(start, phi); };
       // The direction in which T rises is followed first. The search in the other direction then
-      // ends early if T is well below the values in the first direction.
+      // ends early if its T is well below the values found in the first direction.
       const PairTouch ahead = follow(t, track.own(m + 1));
       const int uphill = ahead.found() && ahead.te() < t.te() ? -1 : 1;
       for (const int direction : {uphill, -uphill}) track.walk(m, t, direction, step, never);
@@ -185,11 +186,11 @@ void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best)
   }
 }
 
-// Follows the maxima of T for one pair of patches. T on these flanks may have several maxima, and
+// Follows the maxima of T for one pair of patches. T may have several maxima on these flanks, and
 // the flanks may touch in several intervals of rotation. Searches of the whole flank at regular
-// positions find the maxima. Each maximum is followed until it meets another track. On uneven
-// flanks, the whole flank is searched at every position, because a crest may touch only for a
-// small part of a pitch.
+// positions find the maxima. Each maximum is followed until its track meets another track. On
+// uneven flanks, the whole flank is searched at every position, because a crest may touch only for
+// a small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, first, n, kFarBelow, best);
   const int most = track.most();

@@ -18,7 +18,8 @@ class Draw {
   double between(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(seeded_); }
   bool half() { return between(0, 1) < 0.5; }
 
-  // Reliefs, crownings and slopes as drawings have them, each in about half of the flanks.
+  // Draws modifications of usual sizes. Every flank has a tip relief. About half of the flanks have
+  // each of the other modifications.
   FlankModifications flank(const Gear& g) {
     FlankModifications m;
     const auto relief = [&](double at_0, double at_1) {

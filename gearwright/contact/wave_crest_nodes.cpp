@@ -1,5 +1,5 @@
-// Computes the crests of form waves at one rotation. The highest point over the profile is
-// computed at several heights z. The crests are the local maxima over these heights.
+// Computes the crests of form waves at one rotation. The highest point over the profile is computed
+// at several heights z. A crest is a local maximum of these points over z.
 #include "gearwright/contact/wave_crests.hpp"
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace gearwright::detail {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr int kAcross = 5;  // points examined over the profile if T may have several maxima there
+constexpr int kAcross = 5;  // points examined on a profile over which T may have several maxima
 
-// A wave over the profile, as a complex number whose phase advances from point to point. The value
-// of the wave is the imaginary part of `at`.
+// A wave over the profile, as a complex number whose phase advances from point to point. The
+// imaginary part of `at` is the value of the wave.
 struct Phasor {
   Complex at{}, turn{}, faster{};
 };
@@ -27,7 +27,7 @@ Complex unit_of(const FlankPatch& f, double rate, double L) {
 }
 
 Complex turn_by(double angle) { return {std::cos(angle), std::sin(angle)}; }
-// The value of turn_by() to second order in the angle.
+// Computes turn_by() to second order in the angle.
 Complex turn_by_little(double angle) { return {1.0 - 0.5 * angle * angle, angle}; }
 
 }  // namespace
@@ -41,8 +41,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double roll2 = roll2_.along_x(y).at(x);
   const double roll2_s = roll2_s_.along_x(y).at(x);
   const double roll2_ss = roll2_ss_.along_x(y).at(x);
-  // The points of flank 1 that lie opposite the ends of flank 2. L of flank 2 as a function of s is
-  // approximated by a parabola. If the parabola does not reach an end, its vertex is used.
+  // The points of flank 1 that lie opposite the ends of flank 2. A parabola in s approximates L of
+  // the opposite point of flank 2. If the parabola does not reach an end, its vertex is used.
   const auto opposite = [&](double end) {
     const double rest = end - roll2;
     const double root = roll2_s * roll2_s + 2 * roll2_ss * rest;
@@ -55,7 +55,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   n.z = z;
   n.inside = std::min(ridge - lo, hi - ridge);
   if (lo > hi) return n;
-  // The slope of T is nearly the curvature of T at the ridge times the distance from the ridge.
+  // The slope of T is approximately the curvature of T at the ridge times the distance from the
+  // ridge.
   const auto bends = bend_.along_x(y);
   const double bend = bends.at(x);
   const double bend_s = (bends.c[1] + 2 * bends.c[2] * x) / s_half_;
@@ -129,7 +130,7 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
   nodes.reserve(sections_.size() + 4);
   for (const auto& [z, along] : sections_) {
     const Node next = node(phi, z, along, least);
-    // The ridge has a kink where it leaves D, so a node is added there.
+    // A node is added where the ridge leaves D, because the ridge has a kink there.
     if (!nodes.empty() && (nodes.back().inside > 0.0) != (next.inside > 0.0)) {
       const Node& last = nodes.back();
       const double part = last.inside / (last.inside - next.inside);
@@ -138,7 +139,8 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
     }
     nodes.push_back(next);
   }
-  // T of the neighbouring node `other`; kNone if it is on another branch over the profile.
+  // Returns T of the neighbouring node `other`, or kNone if this node is on another branch over the
+  // profile.
   const auto te = [&](std::size_t i, std::size_t other) {
     if (other >= nodes.size() || nodes[other].outside) return kNone;
     const bool same = !steep_ || std::abs(nodes[other].aside - nodes[i].aside) < branch_;

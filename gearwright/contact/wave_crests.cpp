@@ -11,13 +11,14 @@ namespace {
 
 // Limit of the search for an exact ridge. Two or three steps are usual.
 constexpr int kMaxCrestSteps = 12;
-constexpr double kRidge = 1e-9;  // rad; the last step of φ, which changes T by less than 1e-17
-// Greatest error of the quadratic functions, relative to the amplitude of the waves.
+// Limit for the last step of φ, rad. Such a step changes T by less than 1e-17.
+constexpr double kRidge = 1e-9;
+// Greatest permitted error of the quadratic functions, relative to the amplitude of the waves.
 constexpr double kMiss = 0.01;
-// Greatest error of T between two nodes, relative to the amplitude of the waves.
+// Greatest permitted error of T between two nodes, relative to the amplitude of the waves.
 constexpr double kMargin = 0.1;
-// If the curvature of T due to the waves exceeds this fraction of its curvature on smooth flanks, T
-// may have several maxima over the profile.
+// The waves add to the curvature of T. If this part exceeds kSteep times the curvature of T on
+// smooth flanks, T may have several maxima over the profile.
 constexpr double kSteep = 0.5;
 constexpr int kPerWave = 6;     // nodes over the height z, per wave
 constexpr int kLeastNodes = 7;  // least number of nodes over the height z
@@ -100,9 +101,9 @@ std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, do
 }
 
 std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair) {
-  // `action` is the distance between the two points at which the line of action touches the base
-  // circles. If the centre distance is the only error, L_1 + L_2 (L_2 − L_1 for an internal gear)
-  // equals `action`. The pitch point is the point of flank 1 with the roll angle s_w.
+  // `action` is the length of the line of action between its points of contact with the two base
+  // circles. If the centre distance is the only error, `action` equals L_1 + L_2, or L_2 − L_1 for
+  // an internal gear. The pitch point is the point of flank 1 with the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.mirror();
@@ -116,7 +117,7 @@ std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair
   path.to = std::min(one_.s_hi, greatest);
   if (!(path.from < path.to)) {
     // An edge may touch a little beyond the path of contact, where the quadratic functions are not
-    // valid. Further away, the patches never touch.
+    // valid. Beyond this range, the patches never touch.
     if (!(path.from - path.to < kBeyondPath * (greatest - least))) z_hi_ = z_lo_;
     return std::nullopt;
   }

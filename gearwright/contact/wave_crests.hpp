@@ -1,18 +1,19 @@
-// The points at which teeth with form waves can touch, in closed form. T has a local maximum for
-// each crest, so a search of the whole flank would need hundreds of evaluations.
+// Computes the points at which teeth with form waves can touch, in closed form. T has a local
+// maximum for each crest of the waves. A search of the whole flank would therefore need hundreds of
+// evaluations.
 //
 //   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
-//   ridge    the greatest T over the profile, as a function of the height z
+//   ridge    for each height z, the point of the profile at which T is greatest, with this T
 //   x, y     point of flank 1: s and z, scaled to −1 … 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
 //   L        √(ρ² − r_b²), mm, distance of a point of an involute from its base circle along its
 //            normal; the phase of a wave over the profile is proportional to L
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
-// On involutes with parallel axes, φ, T of the smooth flanks, and the point of flank 2 are
-// quadratic functions of x and of y up to a small fraction of a micron. These functions are
-// interpolated from nine exact ridges. The waves are added in closed form, with one Newton step
-// along the profile.
+// On involutes with parallel axes, three quantities are quadratic functions of x and y up to a
+// small fraction of a micron: φ, T of the smooth flanks, and the opposite point of flank 2. These
+// functions are interpolated from nine exact ridges. The waves are added in closed form, with one
+// Newton step along the profile.
 //
 // Internal to contact/.
 #pragma once
@@ -27,10 +28,10 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if there is no wave, or if the quadratic functions are not valid. They are valid if the
-  /// flanks are involutes without topography, the axes are parallel, all exact ridges can be
-  /// computed, and the error half way between the ridges is at most a hundredth of the amplitude of
-  /// the waves.
+  /// Returns none if there is no wave, or if the quadratic functions are not valid. They are valid
+  /// if all of these conditions hold: the flanks are involutes without topography, the axes are
+  /// parallel, all exact ridges can be computed, and the error half way between the ridges is at
+  /// most a hundredth of the amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -39,13 +40,13 @@ class WaveCrests {
     double te;    ///< T  rad, as estimated
     double s, z;  ///< on flank 1
   };
-  /// The crests of tooth pair 0 at a rotation, in order of z. Crests that cannot reach a T of
+  /// Returns the crests of tooth pair 0 at a rotation, in order of z. Crests whose T is below
   /// `least` may be missing.
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// The accuracy of the estimated T, rad. A crest cannot be the highest if its estimated T is
-  /// lower than the estimated T of another crest by more than this margin.
+  /// Returns the accuracy of the estimated T, rad. If the estimated T of a crest is lower than that
+  /// of another crest by more than this margin, the crest is not the highest.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -78,14 +79,15 @@ class WaveCrests {
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // The path of contact for an error of the centre distance only. If the patches never touch, there
-  // is no path, and apart() becomes true.
+  // Returns the path of contact for an error of the centre distance only. If the patches never
+  // touch, the function returns none, and apart() becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
-  // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge
-  // cannot be computed, or if the path is empty.
+  // Moves the ends of the path to the exact ridges opposite the ends of flank 2. Returns false if a
+  // ridge cannot be computed, or if the path is empty.
   bool adjust(GapField& field, Path& path);
-  // The exact ridge at a point, for smooth flanks; none if the search does not converge.
+  // Returns the exact ridge of the smooth flanks at a point, or none if the search does not
+  // converge.
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
   std::optional<Ridge> ridge_at(GapField& field, const Path& path, double x, double y) const;
   std::optional<Ridges> ridges_on(GapField& field, const Path& path) const;
@@ -97,7 +99,7 @@ class WaveCrests {
   // Checks the quadratic functions half way between the ridges, where their error is greatest.
   bool accurate(GapField& field, const Path& path) const;
   Node node(double phi, double z, double along_face, double least) const;
-  double along_face(double z) const;  // rad: angle by which waves over the face lower T at z
+  double along_face(double z) const;  // rad: angle by which waves over the face reduce T at z
 
   WaveCrests(const FlankPatch& one, const FlankPatch& two) : one_(one), two_(two) {}
 

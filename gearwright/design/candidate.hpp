@@ -1,12 +1,12 @@
 // Computes, with vector instructions, the values that a search compares with its limits. A
 // candidate is a pair of gears with given profile shifts. The values of a batch of candidates are
-// stored in columns. A trial is a pair whose shifts are not yet chosen. The filter (`sieve`)
-// decides whether any shifts within given ranges can meet the limits.
+// stored in columns. A trial is a pair whose shifts are not yet chosen. For a trial, the filter
+// (`sieve`) decides whether any shifts within given ranges can meet the limits.
 //
 // The formulas are written once (design/candidate_formulas.inc) and compiled for double and for
-// every instruction set. At run time, the best available instruction set is used. The last bits of
-// the vector results depend on the machine. Therefore, every value within kSieveDoubt of a limit
-// and every printed number is computed with the scalar formulas of the pair.
+// every instruction set. At run time, the program uses the best instruction set of the processor.
+// The last bits of the vector results therefore depend on the machine. If a value is within
+// kSieveDoubt of a limit, or if it is printed, it is computed with the scalar formulas of the pair.
 //
 //   Laws  (1) the vector results agree with the scalar results to 1e-12
 //         (2) the verdicts are the same on every machine
@@ -46,11 +46,10 @@ struct CandidateBatch {
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< curvature radius of the flank at its contact with the mating gear's tip,
-                     ///< minus the radius ρ_F at the start of the involute; ∞ for an internal
-                     ///< gear, which has no such limit
-    residual,        ///< residual of inv α_wt; the error of tan α_wt is the residual divided by
-                     ///< tan² α_wt
+    interference_2,  ///< curvature radius of the flank at the point touched by the mating tip,
+    ///< minus the radius ρ_F at the start of the involute; ∞ for an internal gear,
+    ///< which has no such limit
+    residual,  ///< residual of inv α_wt; residual/tan² α_wt is the error of tan α_wt
     kOut
   };
   std::array<std::vector<double>, kIn> in;
@@ -59,15 +58,16 @@ struct CandidateBatch {
   void resize(std::size_t n);
 };
 
-/// Evaluates the batch with vector instructions. A value is NaN if a tip lies inside its base
-/// circle or if the gears cannot mesh.
+/// Evaluates the batch with vector instructions. If a tip lies inside its base circle, or if the
+/// gears cannot mesh, the values are NaN.
 void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
 void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
 
-/// Distance from a limit, modules, within which the vector result is not used.
+/// If the distance of a value from its limit, modules, is less than this, the vector result is not
+/// used.
 inline constexpr double kSieveDoubt = 1e-10;
-/// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
-/// trial. kSievePass means that the profile shifts with the longest path of contact meet these
+/// Verdicts of the filter for a trial. The first three verdicts name the limit that certainly
+/// rejects the trial. kSievePass means that the shifts with the longest path of contact meet these
 /// three limits. kSieveAsk means that the filter cannot decide. After kSievePass or kSieveAsk, the
 /// s1–s2 graph of the trial decides (design/shift_graph.hpp).
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
@@ -81,8 +81,8 @@ struct SieveConstants {
   double min_path = 0.0;          ///< K, least length of the path of contact
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true if the limit of the contact ratio is evaluated, which is permitted
-                      ///< only for an external pair at extended centres
+  bool path = false;  ///< true if the limit of the contact ratio is evaluated; only for external
+                      ///< pairs at extended centres
 };
 
 struct SieveBatch {
@@ -96,7 +96,7 @@ struct SieveBatch {
 void sieve(const SieveConstants& constants, SieveBatch& batch);
 void sieve_scalar(const SieveConstants& constants, SieveBatch& batch);
 
-/// The name of the instruction set in use, for example "AVX3" or "AVX2".
+/// Returns the name of the instruction set in use, for example "AVX3" or "AVX2".
 std::string lanes_name();
 std::size_t lanes();
 

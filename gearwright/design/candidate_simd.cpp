@@ -1,5 +1,5 @@
-// The vector code of design/candidate.hpp with Google Highway. The file is compiled once for each
-// instruction set, and the processor selects one at run time.
+// The vector code of design/candidate.hpp, written with Google Highway. The file is compiled once
+// for each instruction set. At run time, the program selects the best version for the processor.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gearwright/design/candidate_simd.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

@@ -1,4 +1,4 @@
-// This file replaces candidate_simd.cpp if Google Highway is not available.
+// Implements design/candidate.hpp without Google Highway. It replaces candidate_simd.cpp.
 #include "gearwright/design/candidate.hpp"
 
 namespace gearwright {

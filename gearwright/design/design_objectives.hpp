@@ -16,31 +16,32 @@
 namespace gearwright {
 
 /// The greatest load reserve divided by the least one, ≥ 1. There are three reserves: one for both
-/// flanks, one for root 1 and one for root 2. The stress at the root is proportional to the load,
-/// but the pressure on the flanks grows only with the square root of the load. Therefore, S_H is
-/// squared. Only the weaker flank counts, because both flanks have the same pressure, and no
-/// profile shift changes the ratio of their safety factors. A limit that is not given counts as 1.
-/// Absent if the row has no safety factors.
+/// flanks, one for root 1 and one for root 2.
+///
+/// The stress at the root is proportional to the load, but the pressure on the flanks grows only
+/// with the square root of the load, so S_H is squared. Both flanks have the same pressure, and no
+/// profile shift changes the ratio of their safety factors, so only the weaker flank counts. If a
+/// limit is not given, it is 1. The result is absent if the row has no safety factors.
 ///
 /// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
 std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);
 
-/// The relative cost, kg, which is the mass times a factor that grows with the face width. The cost
-/// serves only to rank designs of the same kind. The exponent e is an input, because no published
-/// relation between face width and price was found.
+/// Returns the relative cost, kg. This is the mass times a factor that grows with the face width.
+/// The cost is suitable only for ranking designs of the same kind. The exponent e is an input,
+/// because no published relation between face width and price was found.
 ///
 /// Formula   m (b/d_1)^e; [T9.18]
 double relative_cost(const SearchProblem& problem, const DesignRow& row);
 
-/// The mean deflection of the teeth under the rated torque, without application factor. Absent if
-/// the rating has no mesh stiffness.
+/// Returns the mean deflection of the teeth under the rated torque, without application factor. The
+/// result is absent if the rating has no mesh stiffness.
 ///
 /// Formula   F_t/(b c_γα cos α_t), c_γα of ISO 6336-1, clause 9, method B
 std::optional<double> mean_deflection(const RatedPair& pair, const Rating& rating);
 
-/// The variation of the deflection, peak to peak, µm. If every mm of contact line has the same
-/// stiffness, this variation is the transmission error of perfect teeth under load. Absent if the
-/// row has no deflection, or if its teeth lose contact.
+/// Returns the peak-to-peak variation of the deflection, µm. If every mm of contact line has the
+/// same stiffness, this variation is the transmission error of perfect teeth under load. The result
+/// is absent if the row has no deflection, or if its teeth lose contact.
 ///
 /// Formula   δ_pp = δ ε_α (1/λ_min − 1/λ_max); [T9.16]
 std::optional<double> noise_of(const DesignRow& row, const std::optional<double>& deflection);

@@ -86,7 +86,8 @@ TEST(DesignObjectives, LossesAreThoseOfTheToothPairsInContact) {  // (2)
   SearchProblem p = ranked_wish({Objective::efficiency});
   p.helix = {Angle()};
   for (const DesignRow& row : testing::search::points_of(p)) {
-    // Power in and out with equal forces on all pairs that touch, at 20 000 rotations of a pitch.
+    // Adds the input power and the output power at 20 000 positions of a pitch. All tooth pairs in
+    // contact have equal forces.
     const double alpha = row.working_angle.rad();
     const double d_w1 = 2 * row.center_distance / (1 + row.ratio);
     const std::array r_b{d_w1 / 2 * std::cos(alpha), row.ratio * d_w1 / 2 * std::cos(alpha)};

@@ -23,7 +23,7 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
   const Vec2 at_1 = balanced_point(t.z1, t.z2, 1.0, graph.problem().lambda);
   const auto limits = graph.shift_limits();
   for (const int i : {0, 1}) {
-    // Along the line, neither shift decreases when Σ increases.
+    // No shift on the line decreases when Σ increases.
     const double rise = at_1[i] - at_0[i];
     const Interval& limit = limits[static_cast<std::size_t>(i)];
     if (!(rise > 0.0)) {
@@ -39,12 +39,12 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 namespace {
 
 constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point from a border
-// Distances from a border below this value, modules, are rounding errors.
+// Smaller distances from a border, modules, are rounding errors.
 constexpr double kSameEnd = 1e-9;
 
-// The greatest value of f over [a, b], found at nodes and by golden section around the highest
-// node. If all values are negative, the search ends early, and the result may be less than the
-// maximum.
+// Returns the greatest value of f over [a, b], from nodes and a golden section search around the
+// highest node. If all values are negative, the search ends early, and the result may be less than
+// the maximum.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -57,8 +57,8 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops as soon as a value is positive. The function that it receives is therefore f
-  // minus a constant above the maximum of f.
+  // climb() stops as soon as a value is positive. Therefore, climb() receives f minus a constant
+  // that exceeds the maximum of f.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -66,13 +66,13 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// `asked` means that points at which a tip cuts into a fillet are excluded.
+// Whether points at which a tip cuts into a fillet are excluded. `asked` excludes them.
 enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // If fillets are checked, the distance from the borders is a discontinuous function of Σ, so its
-  // second derivative has no upper limit.
+  // If fillets are checked, the distance from the borders is a discontinuous function of Σ. There
+  // is then no upper limit for its second derivative.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();
@@ -82,16 +82,17 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const auto off_walls = [&](double sum) {
     const Vec2 p = place(sum);
     const double wall = graph.wall_distance(p[0], p[1]);
-    // A cut fillet counts as a violated border. The amount of the cut is not computed.
+    // If a fillet is cut, the result is negative, as at a violated border. The depth of the cut is
+    // not computed.
     return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
   };
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // As a function of Σ, the distance from the borders has one maximum, unless the region
-  // consists of several pieces, which is rare. The search climbs from `nearest` in growing
-  // steps until the distance is sufficient or no longer grows. A root finder then locates the
-  // point nearest to `nearest` that is far enough from the borders.
+  // As a function of Σ, the distance from the borders has one maximum. The rare exceptions are
+  // regions with several pieces. The search climbs from `nearest` in growing steps until the
+  // distance is sufficient or decreases. A root finder then locates the point nearest to `nearest`
+  // that is far enough from the borders.
   constexpr double kStep = 0.05;  // modules, first step of Σ
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
@@ -110,8 +111,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
     value = next;
   }
   if (value < kWallDistance) {
-    // The maximum lies between `before` and `beyond`. If no step succeeded, the maximum may lie on
-    // either side of the start.
+    // The maximum lies between `before` and `beyond`. If the first step already failed, the maximum
+    // may lie on either side of the start.
     if (before == nearest) before = side > 0.0 ? left : right;
     here = detail::climb([&](double sum) { return off_walls(sum) - kWallDistance; },
                          std::min(before, beyond), std::max(before, beyond),
@@ -148,7 +149,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
   if (!graph.problem().limits.avoid_interference) {
     // If interference is permitted, the point with Σ nearest 0 is used. If this point lies at a
-    // border, the result is empty, and the caller must compute the region to choose a point.
+    // border, the result is empty. The caller then computes the region to choose a point.
     const ShiftGraph::Sums range = graph.sums();
     if (!(range.lo <= range.hi)) return std::nullopt;
     const Trial& t = graph.trial();
@@ -156,8 +157,8 @@ std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
         balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
     return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
   }
-  // The check of fillets takes longer than the checks of all other borders, and it rarely excludes
-  // a point. The point is therefore first computed without the check of fillets.
+  // The check of fillets takes longer than all other checks and rarely excludes a point. The point
+  // is therefore computed without this check first.
   const auto place = place_off_walls(graph, Fillets::left_out);
   return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
 }
@@ -176,9 +177,9 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // `middle` is used if its distance from the borders is at least half the distance of `inside`
-  // from the borders. If the slice at one end of the region is a point, the distance of `middle` is
-  // exactly half. A tolerance is therefore subtracted.
+  // If `middle` is at least half as far from the borders as `inside`, `middle` is used. If the
+  // slice at one end of the region is a point, the ratio is exactly one half, so a tolerance is
+  // subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

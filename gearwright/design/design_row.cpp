@@ -33,9 +33,10 @@ double DesignRow::cut_shift(std::size_t i, const SearchProblem& problem) const {
 
 namespace {
 
-// Mean E_sn of each gear. If a backlash is required, it determines the sum of both allowances,
-// and each gear gets half of this sum. Otherwise, E_sn is read from the table of the series. A
-// gear outside the table gets no allowance, and its drawing is later rejected.
+// Returns the mean E_sn of each gear. If a backlash is required, it determines the sum of both
+// allowances, and each gear gets half of this sum. Otherwise, E_sn comes from the table of the
+// series. If a gear is outside the table, it gets no allowance here, and its drawing is rejected
+// later.
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
@@ -101,7 +102,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     return m * leaf::flank_start(std::abs(g.r), g.sin_transverse, g.edge_depth, cut[i]);
   };
-  // The path is clipped to the usable flanks. On crossed axes, it is not clipped to the faces,
+  // The path is clipped to the usable flanks. On crossed axes, clipping to the faces is omitted,
   // because the search does not choose face widths for crossed axes.
   const double from = leaf::usable_begin(mesh.rho1_A, flank_start(0));
   const double end = leaf::rho_1_where(mesh.base_tangent_distance, 1.0,
@@ -119,7 +120,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = graph.gears()[i];
     const TrialGear& mate = graph.gears()[1 - i];
-    // A negative allowance makes the cut deeper but does not change the tips.
+    // A negative allowance makes the cut deeper. It does not change the tips.
     const double deeper = row.shift[i] - cut[i];
     const double mate_deeper = row.shift[1 - i] - cut[1 - i];
     row.tip_thickness[i] = m * tip_thickness(g, cut[i], at.k + deeper);
@@ -181,15 +182,17 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // OffWalls::none means that no point away from the borders exists. It is not used if designs are
-  // drawn, because the code above may then have rejected an existing point for its drawing.
+  // OffWalls::none means that no point away from the borders exists. If designs are drawn, this
+  // value is not used, because such a point may exist and may have been rejected above for its
+  // drawing.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most trials have no region. has_feasible_sums() is faster than the search for a feasible point.
+  // Most trials have no region. has_feasible_sums() detects this faster than the search for a
+  // feasible point.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;
@@ -228,8 +231,8 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
 
 namespace {
 
-// Rounds a cost to multiples of kSame. Otherwise, designs of equal cost would be ranked by their
-// rounding errors, which depend on the module.
+// Rounds a cost to multiples of kSame. Without this rounding, rounding errors that depend on the
+// module would determine the order of designs with equal costs.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
   constexpr double kTooLarge = 1e4;  // from this value on, rounding errors exceed a step of kSame

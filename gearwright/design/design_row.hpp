@@ -1,7 +1,7 @@
 // Computes the values of a feasible design at a point of its region, and ranks designs.
 //
-// All values are computed with the formulas for a mounted pair (pair/mesh.hpp), so a design keeps
-// these values when it is mounted.
+// All values are computed with the formulas for a mounted pair (pair/mesh.hpp). A mounted design
+// therefore has the same values.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct DesignRow {
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt; α_n of the rack on crossed axes
   double ratio = 0.0;                     ///< z2/z1
-  double contact_ratio = 0.0;             ///< ε_α, Eq. 10; on crossed axes, the length AE of the
-                                          ///< path of contact divided by p_bn
+  double contact_ratio = 0.0;             ///< ε_α, Eq. 10; on crossed axes, AE/p_bn, where AE is
+                                          ///< the length of the path of contact
   double contact_ratio_true = 0.0;        ///< ε_α of the path clipped to the usable flanks
   double overlap_ratio = 0.0;             ///< ε_β
   double backlash_normal = 0.0;           ///< j_bn, along the common normal
@@ -35,24 +35,24 @@ struct DesignRow {
   std::array<double, 2> tip_clearance{};  ///< tip 1 to root 2, tip 2 to root 1
   double tip_alteration = 0.0;            ///< k m_n, ≤ 0
   std::array<std::array<std::optional<double>, 2>, 2> sliding;  ///< ζ of gear 1, 2 at A, E
-  bool interference = false;  ///< true if a tip reaches beyond the start of the mating gear's
+  bool interference = false;  ///< true if a tip touches the mating flank beyond the start of the
                               ///< involute
-  /// Distance between the mating gear's tip and the start of the involute, along the line of
-  /// action, on the flanks of gear 1 and gear 2. Absent for an internal gear, because this start
-  /// depends on its cutter.
+  /// Distance, along the line of action, from the start of the involute to the point that the
+  /// mating tip touches, on the flanks of gear 1 and gear 2. Absent for an internal gear, because
+  /// the start of its involute depends on its cutter.
   std::array<std::optional<double>, 2> form_clearance{};
   double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
-  /// η with gear 1 driving. Absent if not requested, if the contact ratio is below 1, or if gear 1
-  /// cannot drive.
+  /// η if gear 1 drives. Absent if it was not requested, if the contact ratio is below 1, or if
+  /// gear 1 cannot drive.
   std::optional<double> efficiency{};
   std::optional<double> noise{};  ///< µm: design/design_objectives.hpp; absent if not rated
-  /// S_H and S_F of each gear. Absent if not requested, or if the standard has no form factor for
-  /// the root.
+  /// S_H and S_F of each gear. Absent if they were not requested, or if the standard has no form
+  /// factor for the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
-  bool runs = true;  ///< false if the verdict on the drawing contains a finding worse than green
+  bool runs = true;  ///< false if the verdict on the drawing has a finding worse than green
   std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest value within
                                                          ///< the tolerances of the drawing
-  /// True if the members below, which describe the region, are computed.
+  /// True if the members below, which describe the region, have been computed.
   bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
@@ -64,24 +64,24 @@ struct DesignRow {
   std::optional<double> max_sliding() const;
 };
 
-/// The row of a trial, if the trial is feasible. If `detail` is RegionDetail::point, the values of
-/// the region are omitted, because their computation takes a hundred times as long as that of all
-/// other values. The shifts do not depend on `detail`.
+/// Returns the row of a trial, or none if the trial is not feasible. If `detail` is
+/// RegionDetail::point, the values of the region are omitted. Their computation takes a hundred
+/// times as long as that of all other values. The shifts are the same for both values of `detail`.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// True if a design exists. A design requires a region and, if fillets are checked, a point of the
-/// region at which the tips do not cut into the fillets. If designs are rated, the design must also
-/// meet the limits of the safety factors. If designs are drawn, the verdict must accept the design.
+/// True if a design exists. A design requires a region. If fillets are checked, it requires a point
+/// of the region at which no tip cuts into a fillet. If designs are rated, it must also meet the
+/// limits of the safety factors. If designs are drawn, the verdict must accept it.
 bool has_design(const ShiftGraph& graph);
-/// The row at any point of the graph at which a working angle exists (contract).
+/// Returns the row at any point of the graph. A working angle must exist there (contract).
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
-/// The cost of a design for one objective; a smaller cost is better. Only rows on the line of
-/// balanced strength have costs. All other rows are ranked last.
+/// Returns the cost of a design for one objective. Smaller costs are better. Only rows on the line
+/// of balanced strength have costs, and all other rows are ranked last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
-/// The key by which rows are sorted. Rows are compared by the objective and then by contact ratio,
-/// module, z1, z2 and trial number. The order is total, and the smaller key comes first.
+/// The key by which rows are sorted. The objective is compared first, then contact ratio, module,
+/// z1, z2 and trial number. No two rows have equal keys. The row with the smaller key comes first.
 struct RankKey {
   bool without_cost;
   double cost, contact_ratio, module;

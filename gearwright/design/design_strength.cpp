@@ -27,8 +27,8 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
-// True if the tip of the mating gear touches the flank of gear i only on the involute, which is
-// the part that the straight flank of the rack cuts.
+// True if the tip of the mating gear touches only the involute of gear i, which is the part of the
+// flank that the straight flank of the rack cuts.
 bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
   const auto& clearance = row.form_clearance[i];
@@ -38,9 +38,9 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of the internal gear. Absent if the pair has no closed form. This is the case if the tip
-// of the pinion reaches the fillet, if the tips are shortened, or if the internal gear has an
-// allowance.
+// Returns the cut of the internal gear. The result is absent if the pair has no closed form. The
+// reason is that the tip of the pinion reaches the fillet, that the tips are shortened, or that the
+// internal gear has an allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -83,7 +83,7 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
     g.reference_diameter = reference.reference_diameter;
     g.base_diameter = reference.base_diameter;
     g.tip_form_diameter = tip_diameter(graph, row, i);
-    g.tip_diameter = g.tip_form_diameter;  // the usable flank of the mating gear is long enough
+    g.tip_diameter = g.tip_form_diameter;  // the mating flank is long enough
     g.root_diameter = root_diameter(graph, row, i);
     g.tooth_height = std::abs(g.tip_diameter - g.root_diameter) / 2;
     g.profile_shift = row.shift[i];
@@ -158,8 +158,8 @@ struct LeastSafeties {
   std::optional<double> deflection{};  // µm, teeth under the rated torque
 };
 
-// The safety factors for one state of the teeth. A state is the nominal design, or the pair at one
-// combination of tolerance ends. `input` contains the gear body of the nominal design.
+// Returns the safety factors for one state of the teeth. A state is the nominal design, or the pair
+// at one combination of tolerance ends. `input` contains the gear body of the nominal design.
 LeastSafeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
@@ -176,8 +176,8 @@ LeastSafeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   return found;
 }
 
-// The smallest ratio of a safety factor to its limit; 0 if a safety factor has no value. If
-// drawings are checked, a limit that is not given counts as 1, because the verdict requires safety
+// Returns the smallest ratio of a safety factor to its limit, or 0 if a safety factor has no value.
+// If drawings are checked, a limit that is not given is 1, because the verdict requires safety
 // factors of at least 1.
 double share_of(const SearchProblem& problem, const LeastSafeties& found) {
   double share = std::numeric_limits<double>::infinity();
@@ -192,8 +192,8 @@ double share_of(const SearchProblem& problem, const LeastSafeties& found) {
   return share;
 }
 
-// The smallest ratio of a safety factor to its limit over all states of the teeth, at the face
-// width of the row. The safety factors for the first state are stored in the row.
+// Returns the smallest ratio of a safety factor to its limit over all states of the teeth, for the
+// face width of the row. The function stores the safety factors of the first state in the row.
 double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
                       DesignRow& row) {
   const SearchRating& asked = *problem.rating;
@@ -213,10 +213,10 @@ double required_share(const SearchProblem& problem, const std::vector<RatedPair>
   return share;
 }
 
-// Sets the smallest face width of the band for which the safety factors are sufficient in all
-// states of the teeth. If no width suffices, the greatest width is set. Safety factors grow with at
-// most the fourth power of the width (rating/sizing.cpp), so widths that are certainly insufficient
-// are skipped. The row gets the safety factors for the first state, which is the nominal design.
+// Sets the smallest face width of the band that gives sufficient safety factors in all states of
+// the teeth. If no width is sufficient, sets the greatest width. Safety factors grow with at most
+// the fourth power of the width (rating/sizing.cpp), so the search skips widths that are certainly
+// insufficient. The row gets the safety factors of the first state, which is the nominal design.
 void size_face(const ShiftGraph& graph, const std::vector<RatedPair>& states, DesignRow& row) {
   constexpr double kPower = 4.0;
   const SearchProblem& problem = graph.problem();
@@ -248,8 +248,8 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
     if (drawn.runs || drawn.at_ends.empty() || !wider) break;
-    // If the safety factors are too low at some tolerance ends, the face width is chosen again,
-    // now with the states at all tolerance ends.
+    // If the safety factors are too low at some tolerance ends, the face width is chosen once more,
+    // with the states at all tolerance ends.
     states.resize(1);
     std::move(drawn.at_ends.begin(), drawn.at_ends.end(), std::back_inserter(states));
     set_face_width(graph, row, *wider);

@@ -1,12 +1,12 @@
-// Computes the strength and the mass of a design. The pair is rated by ISO 6336 with the functions
-// that the verb `rate` uses.
+// Computes the strength and the mass of a design. The pair is rated according to ISO 6336, with the
+// functions of the verb `rate`.
 //
 //   S_H, S_F   safety factors of flank and root of each gear, at the shifts of the design
 //
-// The rating uses values of a mounted pair. If the path of contact lies on the involute parts of
-// the flanks, all these values have a closed form. For an internal gear, the closed form also uses
-// data of its cutter (RingCuts). If there is no closed form, for example because of undercut, the
-// gears are cut and mounted, which takes a hundred times as long.
+// The rating needs values of a mounted pair. If the path of contact lies on the involute parts of
+// the flanks, all these values have a closed form. For an internal gear, the closed form also needs
+// data of the cutter (RingCuts). If there is no closed form, for example because of undercut, the
+// gears are cut and mounted. This takes a hundred times as long.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 #pragma once
 
@@ -29,16 +29,15 @@ namespace gearwright {
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The pair of a design, computed from gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
-/// Returns the row with its safety factors. The face width is the smallest one of the band that
-/// gives sufficient safety factors. If none gives sufficient safety factors, the face width is the
-/// greatest one of the band. If drawings are checked, the row also contains the verdict on the
-/// drawing.
+/// Returns the row with its safety factors. The face width is the smallest one of the band with
+/// sufficient safety factors. If there is no such width, the greatest width of the band is used. If
+/// drawings are checked, the row also contains the verdict on the drawing.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
-/// The first limit that the row violates: a safety factor that is too low or has no value, or the
-/// verdict. Absent if the row meets all limits.
+/// Returns the first limit that the row violates. This is a safety factor that is too low or has no
+/// value, or the verdict. The result is absent if the row meets all limits.
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row);
-/// The smallest of S_H/S_Hmin and S_F/S_Fmin of both gears. A limit that is not given counts as 1.
-/// Absent if the row has no safety factors.
+/// Returns the smallest of S_H/S_Hmin and S_F/S_Fmin of both gears. A limit that is not given is 1.
+/// The result is absent if the row has no safety factors.
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row);
 /// The body of a gear for its mass, with the density in kg/mm³ and lengths in mm.
 struct GearBody {
@@ -56,15 +55,15 @@ double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
 // Stores the pinion cutters chosen for the internal gears of a search.
 //
-// The strength of an internal gear depends on the number of teeth of its cutter. Its path of
+// The strength of an internal gear depends on the number of teeth of its cutter, and its path of
 // contact depends on the radius at which its fillet begins. Both values are known only after a
-// tooth has been generated, which takes as long as a hundred ratings. If the radius is measured in
-// modules, both values are equal for all wheels with the same number of teeth, rack, helix angle
-// and profile shift.
+// tooth has been generated, which takes as long as a hundred ratings. With the radius in modules,
+// both values depend only on the number of teeth, the rack, the helix angle and the profile shift.
+// They are therefore stored for all wheels that agree in these.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
 /// The cutter of an internal gear, and the start of its fillets. If every cutter would remove a
-/// part of the flanks, there is no cutter, and the start of the fillets is unknown.
+/// part of the flanks, there is no cutter, and the start of the fillets is infinite.
 struct RingCut {
   int cutter_teeth = 0;                                          ///< z_0; 0 without a cutter
   double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules
@@ -72,11 +71,11 @@ struct RingCut {
 
 class RingCuts {
  public:
-  /// The cut that cut_by_default() chooses for the wheel of `trial` with the profile shift `shift`.
-  /// Absent if the gear cannot exist. Thread-safe.
+  /// Returns the cut that cut_by_default() chooses for the wheel of `trial` with the profile shift
+  /// `shift`. The result is absent if the gear cannot exist. Thread-safe.
   std::optional<RingCut> of(const SearchProblem& problem, const Trial& trial, double shift);
 
-  /// The number of stored cuts, as a measure of the work.
+  /// Returns the number of stored cuts, which is a measure of the work.
   std::size_t size() const;
 
  private:

@@ -1,4 +1,5 @@
-// Estimates the noise of drives from their numbers of teeth, for a search that ranks drives.
+// Estimates the noise of drives from their numbers of teeth. A search uses the estimate to rank
+// drives.
 #include <cmath>
 #include <vector>
 

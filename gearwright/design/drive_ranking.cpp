@@ -75,8 +75,7 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // The candidates are sorted by their costs, so a candidate can be dominated only by an earlier
-  // one.
+  // The candidates are sorted by cost, so only an earlier candidate can dominate a candidate.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

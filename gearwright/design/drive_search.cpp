@@ -43,9 +43,9 @@ struct Ends {
   std::size_t fixed, input, output;
 };
 
-// i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Numerator
-// and denominator are computed as whole numbers from products of three numbers of teeth, which are
-// exact in double. The result is 0 if no finite ratio exists.
+// Returns i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier.
+// Numerator and denominator are whole numbers. They are computed from products of three numbers of
+// teeth, which are exact in double. The result is 0 if there is no finite ratio.
 double ratio_of(const TeethOfSet& z, const Ends& ends) {
   const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
               o = share_of(z, ends.output);
@@ -58,13 +58,13 @@ struct CentralTeeth {
   long long rider, central;  // numbers of teeth; `central` is < 0 for a ring
 };
 
-// The gear of the planet that meshes with a central gear.
+// Returns the gear of the planet that meshes with a central gear.
 M rider_of(const TeethOfSet& z, M central) {
   const bool second = central == M::sun2 || central == M::ring2;
   return second && z[at(M::planet2)] > 0 ? M::planet2 : M::planet;
 }
 
-// The meshes of the planets with the central gears of a set, in the order of its graph.
+// Lists the meshes of the planets with the central gears of a set, in the order of its graph.
 struct SetMeshes {
   std::array<CentralTeeth, 4> list{};
   std::array<M, 4> members{};  // the central gears
@@ -87,9 +87,10 @@ struct SetMeshes {
   }
 };
 
-// N* is the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs i, j of meshes. In mesh i, a_i is the
-// number of teeth of the planet gear, and b_i that of the central gear. The relations between two
-// meshes generate all integer relations, because the a_i/gcd(a) have no common divisor. [T13.12]
+// Returns N*, the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs i, j of meshes. In mesh i, a_i
+// is the number of teeth of the planet gear, and b_i that of the central gear. The relations
+// between two meshes generate all integer relations, because the a_i/gcd(a) have no common divisor.
+// [T13.12]
 long long places_of(const SetMeshes& meshes) {
   long long common = 0, places = 0;
   for (std::size_t i = 0; i < meshes.count; ++i) common = std::gcd(common, meshes.list[i].rider);
@@ -153,8 +154,8 @@ class SetSearch {
     }
   }
 
-  // The smallest angle between neighbouring planets, in turns; absent if the planets cannot be
-  // assembled.
+  // Returns the smallest angle between neighbouring planets, in turns. The result is absent if the
+  // planets cannot be assembled.
   std::optional<double> spacing(int n, long long places) const {
     const bool divides = places % n == 0;  // places = 0 means that every position is possible
     if (divides && (problem_.base.spacing != Spacing::opposite || n % 2 == 0)) return 1.0 / n;
@@ -173,9 +174,9 @@ class SetSearch {
     return static_cast<double>(places / n) / static_cast<double>(places);
   }
 
-  // Clearance between the planet gears at the centre distance of the first mesh. If the second
-  // planet gear would have another centre distance, its profile shifts must correct the centre
-  // distance. These shifts are computed only when the drive is made, so the second gear is not
+  // Returns the clearance between the planet gears at the centre distance of the first mesh. If the
+  // second planet gear has another centre distance without shifts, its profile shifts must correct
+  // this distance. These shifts are computed only when the drive is made, so the second gear is not
   // checked here.
   double clearance_of(const TeethOfSet& z, const SetMeshes& meshes, double step) const {
     const double a = distance(meshes.list[0]);
@@ -219,8 +220,8 @@ class SetSearch {
   double transverse_ = 1.0;
 };
 
-// The fixed, input and output members. If the problem does not give a member, the default of the
-// set is used.
+// Returns the fixed, input and output members. If the problem does not give a member, the default
+// of the set is used.
 Result<Ends> ends_of(const DriveSearchProblem& problem) {
   DriveCandidate any;
   for (const M m : members_of(problem))

@@ -7,9 +7,9 @@
 //   c        clearance between the tip circles of neighbouring planets, modules [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// For every set, the ratio, the assembly, the clearance of neighbouring planets and the mesh
-// phases are checked. The sets that meet all limits are ranked. If the losses of the meshes are
-// given, the ranking by efficiency is exact. Otherwise the losses are estimated. The caller
+// For every set, the search checks the ratio, the assembly, the clearance of neighbouring planets
+// and the mesh phases. It ranks the sets that meet all limits. If the losses of the meshes are
+// given, the ranking by efficiency is exact. Otherwise, the losses are estimated. The caller then
 // makes the drives of the best sets.
 #pragma once
 
@@ -55,36 +55,37 @@ struct DriveSearchProblem {
   std::array<double, 2> ratio{};       ///< band of i, both ends included, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Bands for the members of this kind of set. By default, the bands of teeth_band() are used.
+  /// Bands for the members of this kind of set. If a band is absent, teeth_band() gives the
+  /// default.
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of stages of a train
   TeethBand pinion{17, 40}, wheel{17, 150};
   /// Greatest permissible difference between the sums of teeth of meshes with a common centre
-  /// distance. The default is 1, or the number of planets if two rings mesh with one planet gear.
-  /// For a train, the default is no limit.
+  /// distance. The default is 1. If two rings mesh with one planet gear, the default is the number
+  /// of planets. For a train, the default is no limit.
   std::optional<int> coaxial_teeth;
-  bool coprime = false;              ///< true if the gears of every mesh must have no common factor
-  double neighbour_clearance = 1.0;  ///< lower limit of c  modules
-  double sliding = kInfinity;        ///< upper limit of |ζ| of every mesh; requires modules
-  double overlap = 0.0;              ///< lower limit of ε_β of every mesh; requires modules
+  bool coprime = false;               ///< true if the gears of a mesh must have no common factor
+  double neighbour_clearance = 1.0;   ///< lower limit of c  modules
+  double sliding = kInfinity;         ///< upper limit of |ζ| of every mesh; requires modules
+  double overlap = 0.0;               ///< lower limit of ε_β of every mesh; requires modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
-  /// m_n of all meshes  mm; each set is tried with every module. If the list is empty, no tooth
+  /// m_n of all meshes  mm. Each set is tried with every module. If the list is empty, no tooth
   /// geometry is computed, and sizes are in modules.
   std::vector<double> modules;
-  /// True if each stage of a train may have its own module. The search then finds every train
-  /// only once, with the first of the modules in all stages, and the caller chooses the
-  /// modules.
+  /// True if the stages of a train may have different modules. The search then finds every train
+  /// only once, with the first module of the list in all stages. The caller chooses the modules.
   bool module_per_stage = false;
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
-  /// a of every stage of a train  mm, as mounted; a band with both ends included. Requires modules
-  /// and profile shifts that the search chooses, and excludes `module_per_stage`. Every train is
-  /// found once for each choice of the modules of its stages that gives such distances.
+  /// Band of the centre distance a of every stage of a train, as mounted, mm, both ends included.
+  /// The band requires modules and profile shifts that the search chooses, and excludes
+  /// `module_per_stage`. A train is found once for each choice of modules that gives such distances
+  /// in all its stages.
   std::optional<std::array<double, 2>> center_distance;
-  std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
-                                                    ///<    the search chooses, both ends included
-  double face_diameters = 1.2;  ///< greatest b/d of the smaller gear of a mesh, if the search
-                                ///< chooses the face widths
+  std::optional<std::array<double, 2>> face_width;  ///< b  mm, both ends included; the search
+                                                    ///< chooses face widths within this band
+  double face_diameters = 1.2;  ///< greatest b/d of the smaller gear of a mesh; used only if the
+                                ///< search chooses the face widths
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
   /// ρ of each member  kg/mm³. All gears of a train have the first value.
   std::array<double, kSetMembers> density = [] {
@@ -100,9 +101,11 @@ struct DriveSearchProblem {
   bool asks(DriveObjective objective) const;
 };
 
-/// The members of this kind of set whose numbers of teeth are tried; empty for a train.
+/// Returns the members whose numbers of teeth are tried for this kind of set. The list is empty for
+/// a train.
 std::vector<SetMember> members_of(const DriveSearchProblem& problem);
-/// The band of the number of teeth of a member. If the problem gives no band, the default is used.
+/// Returns the band of the number of teeth of a member: the band of the problem, or else the
+/// default.
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
 
 /// Reasons for rejecting a set, in the order in which they are checked.
@@ -119,28 +122,28 @@ struct DriveCandidate {
   long long places = 0;    ///< N*; 0 for a train
   double clearance = 0.0;  ///< c  modules, without shifts; infinite for a train and for one planet
   double size =
-      0.0;  ///< mm, without shifts; for a set, the greatest of the diameter over the planets, the
-            ///< tip diameters of suns and the root diameters of rings; for a train, the sum of the
-            ///< centre distances
-  /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
+      0.0;  ///< mm, without shifts. For a train, the sum of the centre distances. For a set, the
+            ///< greatest of three diameters: over the planets, the tip diameter of a sun, and the
+            ///< root diameter of a ring
+  /// Efficiencies with the given or the estimated losses; 0 if self-locking or if not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
-  /// b of each mesh  mm, in the order of the graph; empty if the search does not size the faces. A
-  /// gear with several meshes has the greatest of their face widths.
+  /// b of each mesh  mm, in the order of the graph. Empty if the search does not size the faces. If
+  /// a gear has several meshes, the gear has the greatest of their face widths.
   std::vector<double> face_widths{};
   GearShifts shifts{};                  ///< x  if the search chooses the profile shifts
-  std::vector<double> stage_modules{};  ///< m_n of each stage  mm; if empty, every stage has
-                                        ///< `module`
-  /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]. Absent if
-  /// not requested, or if a mesh loses contact.
+  std::vector<double> stage_modules{};  ///< m_n of each stage  mm; if empty, `module` for every
+                                        ///< stage
+  /// Peak-to-peak variation of the elastic rotation, divided by this rotation [T13.33]. Absent if
+  /// it was not requested, or if a mesh loses contact.
   std::optional<double> noise{};
-  /// Mass of all gears  kg, with the bodies of GearBody. Absent if not requested. Until the teeth
-  /// are computed, it is an estimate for gears without profile shift.
+  /// Mass of all gears  kg, with the bodies of GearBody. Absent if it was not requested. Until the
+  /// teeth are computed, the mass is an estimate for gears without profile shift.
   std::optional<double> mass{};
 
   double stage_module(std::size_t stage) const {
     return stage_modules.empty() ? module : stage_modules[stage];
   }
-  /// x of both gears of a stage; none if the search does not choose them.
+  /// Returns x of both gears of a stage, or none if the search does not choose profile shifts.
   std::optional<std::array<double, 2>> stage_shifts(std::size_t stage) const;
   bool has_one_module() const {
     return std::adjacent_find(stage_modules.begin(), stage_modules.end(), std::not_equal_to<>()) ==
@@ -155,66 +158,67 @@ struct DriveSearchResult {
   bool is_complete = true;  ///< false if a search for trains was stopped at one of its limits
 };
 
-/// kMostTrains is the greatest number of trains that a search finds, before modules are
-/// considered. With limited centre distances, the choices of modules are counted too. A search
-/// tries combinations of the numbers of teeth of all gears except the last wheel. kMostTrainTrials
-/// is the greatest number of these combinations.
+/// Limits of a search for trains. kMostTrains is the greatest number of trains that are found,
+/// before modules are considered. If the centre distances are limited, every choice of modules
+/// counts as a train. kMostTrainTrials is the greatest number of combinations of numbers of teeth.
+/// These combinations include all gears except the last wheel.
 inline constexpr std::size_t kMostTrains = 1'000'000;
 inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 
-/// All candidates that meet the limits.
+/// Returns all candidates that meet the limits.
 ///
-/// Formula   all meshes of a set have the same module, so meshes with a common centre distance must
-///           have nearly equal sums of teeth. These sums differ by at most `coaxial_teeth`
+/// Formula   all meshes of a set have the same module. Meshes with a common centre distance must
+///           therefore have nearly equal sums of teeth, with a difference of at most
+///           `coaxial_teeth`
 /// Domain    bands from 1 to kMostDriveTeeth (contract)
 /// Errors    `drive.fixed`, `drive.input` or `drive.output` if the set has no such member, or if
 ///           one member has two of these functions
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
 /// Sets the fixed, input and output members that the problem does not give. In a set with two rings
-/// (wolfrom) or two suns, one of the two is fixed and the other is the output. For other kinds, the
-/// defaults of the set are used.
+/// (wolfrom) or two suns, one ring or sun is fixed, and the other is the output. For other kinds,
+/// the defaults of the set are used.
 void complete_ends(DriveSearchProblem& problem);
-/// The set of a candidate, with the losses and the fixed, input and output members of the
+/// Returns the set of a candidate, with the losses and the fixed, input and output members of the
 /// problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
-/// The helix angle of the first gear of a stage of a train, degrees. The hand alternates from stage
-/// to stage, so that both gears of an intermediate shaft have the same hand and their axial forces
-/// have opposite directions.
+/// Returns the helix angle of the first gear of a stage of a train, degrees. The hand alternates
+/// from stage to stage. Both gears of an intermediate shaft then have the same hand, and their
+/// axial forces have opposite directions.
 double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
-/// True if the output of this train gets the axis of its input. This requires that `coaxial_teeth`
-/// is given, that the train has several stages with one module, and that the search chooses the
-/// profile shifts.
+/// True if this train has a coaxial output. The conditions are that `coaxial_teeth` is given, that
+/// the train has several stages with one module, and that the search chooses the profile shifts.
 bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
-/// Least and greatest sum of the profile shifts of a stage whose centre distance is limited.
-/// Without a limit, shift_trials() gives sums from 0 to 2 for usual thickness allowances.
+/// Least and greatest sum of the profile shifts of a stage with a limited centre distance. For
+/// comparison, shift_trials() gives sums from 0 to 2 without a limit and with usual thickness
+/// allowances.
 inline constexpr std::array<double, 2> kStageShiftSums{-1.0, 3.0};
-/// True if a stage of a train with this sum of teeth z_1 + z_2 and this module can have a centre
-/// distance within the limits of the problem, by kStageShiftSums.
+/// True if a stage with this module and this sum of teeth z_1 + z_2 can have a centre distance
+/// within the limits of the problem. The sum of its profile shifts must be within kStageShiftSums.
 ///
 /// Formula   [T2.16]
 bool may_reach(const DriveSearchProblem& problem, int sum_of_teeth, double module);
-/// The train with these modules of its stages, and with the size and the mass that follow from them.
+/// Returns the train with these modules of its stages, and with its new size and mass.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);
-/// The candidate with the greatest face widths that the band of face widths and the greatest b/d
-/// permit. If the search does not size the faces, the candidate is unchanged.
+/// Returns the candidate with the greatest face widths within the band and the greatest b/d. If the
+/// search does not size the faces, the function returns the candidate unchanged.
 DriveCandidate widest(const DriveSearchProblem& problem, DriveCandidate candidate);
-/// The face widths b of the gears of a set, by member. Empty for a train, or if the search does not
-/// size the faces.
+/// Returns the face widths b of the gears of a set, by member. The result is empty for a train, or
+/// if the search does not size the faces.
 PerMember member_face_widths(const DriveCandidate& candidate);
 
-/// The number by which candidates are ranked for an objective; a smaller number is better.
+/// Returns the number by which candidates are ranked for an objective. Smaller numbers are better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
                DriveObjective objective);
 
-/// Greatest difference between efficiencies that count as equal in the ranking. The estimate of the
-/// losses of a mesh is far less accurate.
+/// Efficiencies that differ by at most this value count as equal in the ranking. The estimate of
+/// the losses of a mesh is far less accurate.
 inline constexpr double kSameEfficiency = 1e-4;
 
 /// Sorts a list by the first objective of the search, the best first, and then by size. If the
-/// first objective is an efficiency, the sorted list is divided into groups. The candidates of a
-/// group are at most kSameEfficiency worse than its first candidate, and each group is sorted by
-/// size.
+/// first objective is an efficiency, the sorted list is then divided into groups. The efficiencies
+/// within a group are at most kSameEfficiency less than that of its first candidate. Each group is
+/// sorted by size.
 template <class T, class CandidateOf>
 void sort_by_objective(const DriveSearchProblem& problem, std::span<T> list,
                        const CandidateOf& candidate_of) {
@@ -233,7 +237,7 @@ void sort_by_objective(const DriveSearchProblem& problem, std::span<T> list,
   }
 }
 
-/// Indices of the candidates that no other candidate dominates in all objectives.
+/// Returns the indices of the candidates that no other candidate dominates in all objectives.
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
                                       const std::vector<DriveCandidate>& candidates);
 

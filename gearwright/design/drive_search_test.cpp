@@ -262,9 +262,9 @@ TEST(DriveSearchTest, FrontIsWhatNothingBeats) {
   }
 }
 
-// Efficiencies that differ by less than 0.01 % do not decide the order. Of all drives whose efficiency
-// is at most 1e-4 below the best one, the smallest comes first, and no drive is more than 1e-4
-// better than an earlier one.
+// Efficiencies that differ by less than 0.01 % do not decide the order. Of all drives whose
+// efficiency is at most 1e-4 below the best one, the smallest comes first. No drive is more than
+// 1e-4 better than an earlier one.
 TEST(DriveSearchTest, NearlyEqualEfficienciesAreSortedBySize) {
   DriveSearchProblem problem = problem_of(DriveKind::train, {12.0, 12.05});
   problem.pinion = {17, 20};
@@ -292,9 +292,10 @@ TEST(DriveSearchTest, EndsAreThreeBodies) {
   EXPECT_EQ(search_drives(problem).error().field, "drive.output");
 }
 
-// The number of spur tooth pairs of one planet in contact at the sun, or at the ring if `at_ring`,
-// divided by ε_α. It counts the flanks between the ends of the path. The flanks of the planet are
-// half a pitch thick, so the ring follows after half the teeth of the planet less half a pitch.
+// Returns the number of spur tooth pairs of one planet in contact at the sun, or at the ring if
+// `at_ring`, divided by ε_α. It counts the flanks between the ends of the path. The flanks of a
+// tooth of the planet are half a pitch apart, so the contacts at the ring are delayed by half the
+// teeth of the planet minus half a pitch.
 double pairs_in_contact(const TeethOfPlanet& z, bool at_ring, double t) {
   const double alpha = Angle::degrees(20).rad();
   const auto tip = [&](int teeth, double addendum) {

@@ -17,8 +17,8 @@ double rounded_up(double x) {
   return std::ceil(x * kPerUnit) / kPerUnit + 0.0;  // + 0.0 turns −0 into 0
 }
 
-// x_u of each external gear: the limit for teeth without allowance, minus the distance x_E − x
-// by which the thickness allowance moves the cutter.
+// Returns x_u of each external gear. This is the limit for teeth without allowance, minus x_E − x,
+// the distance by which the thickness allowance moves the cutter.
 GearShifts undercut_limits(const DriveGraph& graph) {
   GearShifts limits;
   for (const DriveGear& gear : graph.gears) {
@@ -27,7 +27,8 @@ GearShifts undercut_limits(const DriveGraph& graph) {
     CylindricalSpec spec = *gear.spec;
     spec.teeth = gear.teeth;
     spec.profile_shift = 0.0;
-    // A backlash thins each gear of its mesh by at most j_n/2, because α_wn ≥ α_n if Σx ≥ 0.
+    // A backlash thins each gear of its mesh by at most j_n/2. This is true because α_wn ≥ α_n if
+    // Σx ≥ 0.
     for (const DriveMesh& mesh : graph.meshes)
       if (mesh.backlash && (&graph.gear(mesh, 0) == &gear || &graph.gear(mesh, 1) == &gear))
         spec.thickness_allowance = std::min(spec.thickness_allowance, -*mesh.backlash / 2);
@@ -38,9 +39,9 @@ GearShifts undercut_limits(const DriveGraph& graph) {
   return limits;
 }
 
-// Returns the shifts of two external gears with the least sum ≥ 0 for which neither gear is
-// undercut. The sum is divided by [T2.18a], so each shift grows by z/(z1 + z2) per unit of the sum.
-// If the sum is 0, the sum of the rounded shifts is also 0.
+// Returns shifts of two external gears without undercut, with the least sum ≥ 0. The sum is divided
+// according to [T2.18a], so each shift grows by z/(z1 + z2) per unit of the sum. If the sum is 0,
+// the sum of the rounded shifts is also 0.
 std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
                                       const std::array<double, 2>& limits) {
   const auto start = divided_shift_sum(z[0], z[1], 0.0);
@@ -52,10 +53,9 @@ std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
   return {first, std::max(sum == 0.0 ? 0.0 - first : rounded_up(x[1]), rounded_up(limits[1]))};
 }
 
-// Moves the centre distance of a mesh of two external gears into a band, if it is outside. The sum
-// of the shifts then follows from the new distance. The first gear gets the part of the sum that
-// `first_of` computes, unless a gear would be undercut. Returns false if the teeth cannot have this
-// distance.
+// Moves the centre distance of a mesh of two external gears into a band if it lies outside. The new
+// distance determines the sum of the shifts. The first gear gets the part that `first_of` computes,
+// unless a gear is then undercut. Returns false if the teeth cannot have this distance.
 template <class Part>
 bool move_into(const std::array<double, 2>& band, const DriveGraph& graph, const DriveMesh& mesh,
                const GearShifts& limits, const Part& first_of, GearShifts& shifts) {
@@ -87,8 +87,9 @@ bool move_into(const std::array<double, 2>& band, const DriveGraph& graph, const
   return true;
 }
 
-// Sets the shift of a gear to x_u if the shift that follows from the centre distance would cause
-// undercut. The shift of the mating gear then follows from the centre distance.
+// Prevents undercut of gears whose shifts follow from the centre distance. If such a shift is less
+// than x_u, the gear gets the shift x_u, and the shift of its mating gear follows from the centre
+// distance.
 void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
   bool all_given = true;
   for (std::size_t g = 0; g < shifts.size(); ++g) {
@@ -111,7 +112,7 @@ std::vector<GearShifts> shift_trials(const DriveGraph& graph,
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];
     GW_EXPECTS(!mesh.center_distance);
-    // The other meshes of a planet have the centre distance of its first mesh.
+    // The first mesh of a planet determines the centre distance of its other meshes.
     if (m > 0 && graph.frame(mesh)) continue;
     for (const std::size_t g : mesh.gears)
       if (limits[g]) balanced[g] = least[g] = std::max(0.0, rounded_up(*limits[g]));

@@ -19,7 +19,7 @@ namespace gearwright {
 namespace {
 
 using M = SetMember;
-constexpr double kRounded = 1e-4;  // to which shifts are rounded up
+constexpr double kRounded = 1e-4;  // shifts are rounded up to multiples of this
 
 PlanetarySpec shifted_set(const std::vector<std::pair<M, int>>& teeth, double helix_deg) {
   PlanetarySpec set;

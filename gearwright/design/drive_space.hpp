@@ -10,8 +10,8 @@ namespace gearwright {
 
 using TeethOfSet = std::array<int, kSetMembers>;
 
-/// Greatest permissible difference between the sums of teeth of meshes with a common centre
-/// distance.
+/// Returns the greatest permissible difference between the sums of teeth of meshes with a common
+/// centre distance.
 inline int coaxial_slack(const DriveSearchProblem& problem) {
   if (problem.coaxial_teeth) return *problem.coaxial_teeth;
   const bool one_gear = !problem.teeth[static_cast<std::size_t>(SetMember::planet2)];
@@ -22,25 +22,25 @@ inline int coaxial_slack(const DriveSearchProblem& problem) {
 /// coefficient of friction μ. The estimate is used for ranking only.
 double estimated_efficiency(int z1, int z2, double friction);
 
-/// Sets the noise of all candidates, for gears without profile shift. If the search has a face
-/// width and modules, helical teeth are computed with this face width and the first module. The
-/// estimate is used for ranking until the teeth are computed.
+/// Sets the noise of all candidates, for gears without profile shift. Helical teeth also need a
+/// face width and modules. If the search has both, the face width and the first module are used.
+/// The search ranks by this estimate until the teeth are computed.
 void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
                     int threads);
 
-/// The mass of a candidate for gears without profile shift, kg. Absent if the mass is not requested
-/// or if the problem has no modules. If the search sizes the faces, the widths of the candidate are
-/// used or, if it has none, the greatest widths. The estimate is used for ranking until the teeth
-/// are computed.
+/// Returns the mass of a candidate for gears without profile shift, kg. The result is absent if the
+/// mass is not requested or if the problem has no modules. If the search sizes the faces, the
+/// widths of the candidate are used or, if it has none, the greatest widths. The search ranks by
+/// this estimate until the teeth are computed.
 std::optional<double> estimated_mass(const DriveSearchProblem& problem,
                                      const DriveCandidate& candidate);
 
-/// Adds all trains of the problem to the result. The numbers of teeth of the last wheel follow from
-/// the ratio. Stages to which no module gives the required centre distance are not tried.
+/// Adds all trains of the problem to the result. The ratio determines the number of teeth of the
+/// last wheel. A stage is not tried if no module gives it the required centre distance.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);
-/// Replaces every train by one train for each choice of the modules of its stages that gives the
-/// required centre distances. Converts the size from modules to mm. A train whose size exceeds the
-/// limit is rejected.
+/// Replaces every train by several trains, one for each choice of modules that gives the required
+/// centre distances. Converts the size from modules to mm. If the size of a train exceeds the
+/// limit, the train is rejected.
 void give_stage_modules(const DriveSearchProblem& problem, DriveSearchResult& result);
 
 /// Visits all sets of one kind in which the planet has a given number of teeth.
@@ -111,8 +111,8 @@ class DriveSpace {
     for (z[at(m)] = band_[at(m)][0]; z[at(m)] <= band_[at(m)][1]; ++z[at(m)]) next();
     z[at(m)] = 0;
   }
-  // Tries the numbers of teeth near `middle`. With `middle` teeth, the set is coaxial without
-  // profile shifts.
+  // Tries the numbers of teeth near `middle`. A set with `middle` teeth is coaxial without profile
+  // shifts.
   template <class Next>
   void near(SetMember m, TeethOfSet& z, int middle, const Next& next) const {
     const int last = std::min(band_[at(m)][1], middle + slack_);

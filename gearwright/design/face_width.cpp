@@ -35,7 +35,7 @@ std::optional<double> next_face_width(const SearchProblem& problem, const Trial&
   const double step = problem.face_step;
   double next = std::ceil(std::max(width, least) / step - kRounding) * step;
   if (next <= before) next = (std::floor(before / step + kRounding) + 1.0) * step;
-  // If a band contains no multiple of the step, only its least width is used.
+  // If a band contains no multiple of the step, the band has only one width, its least one.
   const bool only = std::ceil(least / step - kRounding) * step > most * (1.0 + kRounding);
   if (least == most || only)
     return before < least && width <= least ? std::optional(least) : std::nullopt;

@@ -20,14 +20,14 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
-constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fillet, modules; the
-                                       // cutter has the same fillet and would overheat if the
-                                       // radius were smaller
+constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fillet, modules; with a
+                                       // smaller radius, the cutter, which has the same fillet,
+                                       // would overheat
 constexpr double kSameRatio = 0.02;
-// Sums of shifts count as equal if they differ by less than this value, modules. The grid has steps
-// of 0.001.
+// Sums of shifts, modules, count as equal if they differ by less than this value. The grid has
+// steps of 0.001.
 constexpr double kSameGivenSum = 1e-6;
-// Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings show them exactly.
+// Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings can show them exactly.
 constexpr double kHelixSteps = 1e9;
 // Relative amount by which the least centre distance exceeds the sum of the base radii.
 constexpr double kOffBase = 1e-9;
@@ -50,8 +50,8 @@ struct Rank {
 struct DesignVerdict {
   int stage = 0;
   double shortfall =
-      0.0;  // amount by which the check failed; of the candidates that failed at the same check, the
-            // one with the smallest amount is reported
+      0.0;  // amount by which the check failed; among the candidates that failed at the same check,
+            // the one with the smallest amount is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
 };
@@ -73,7 +73,7 @@ struct Candidate {
   std::optional<Rank> rank;
 };
 
-// Chord of the tooth space at the start of the flanks.
+// Returns the chord of the tooth space at the start of the flanks.
 double gap_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
   const Vec2& p = flank->begin_point;
@@ -131,8 +131,8 @@ class FewTeethSearch {
     }
   }
 
-  // Mounts the candidates until one is accepted. Candidates are mounted by rank and, if ranks are
-  // equal, in the order of the grid.
+  // Mounts candidates until one is accepted. The candidates are mounted in the order of their
+  // ranks. If ranks are equal, the order of the grid applies.
   void mount_the_best(std::vector<Candidate>& all) {
     std::vector<Candidate*> order;
     for (Candidate& c : all) {
@@ -171,8 +171,8 @@ class FewTeethSearch {
 
   static Rank rank_of(const Cut& cut) {
     const auto input = mesh_input(cut.gear_1, cut.gear_2, {cut.mounted, std::nullopt});
-    // If the centre distance does not exceed the sum of the base radii, the gears cannot mesh. Such
-    // a candidate gets the contact ratio 0 and is tried last.
+    // If the centre distance is at most the sum of the base radii, the gears cannot mesh. The
+    // contact ratio of such a candidate is set to 0, so that it is tried last.
     const bool meshes = cut.mounted > base_radius_sum(input.gears);
     const double ratio = meshes ? mesh_of(input).true_ratio : 0.0;
     return Rank::of(std::isfinite(ratio) ? ratio : 0.0,
@@ -221,8 +221,8 @@ class FewTeethSearch {
       const auto e = distance_at(beta, x1, x2);
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance : kNoNumber;
     };
-    // `miss` is the difference from the given centre distance. The search proceeds in steps of one
-    // degree, because `miss` is NaN where the shifts have no backlash-free centre distance.
+    // `miss` is the difference from the given centre distance. If the shifts have no backlash-free
+    // centre distance, `miss` is NaN. The search therefore proceeds in steps of one degree.
     double before = 0.0;
     for (int degree = 1; degree <= kSteepestHelix; ++degree) {
       const double beta = Angle::degrees(degree).rad();
@@ -244,8 +244,8 @@ class FewTeethSearch {
       return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
     };
     const double lo = r * (1 + kOffBase);
-    // Away from the base circles, the backlash changes the centre distance only slightly, so E
-    // lies close to a.
+    // Unless the gears are near their base circles, the backlash changes the centre distance only
+    // slightly. E then lies close to a.
     const double hi = side_ > 0.0 ? a : 2 * a;
     if (!(lo < hi)) return std::nullopt;
     const double from = side_ > 0.0 ? std::max(lo, a - 0.5 * (a - r)) : a;
@@ -371,8 +371,8 @@ class FewTeethSearch {
     return {15, 0.0, "", std::move(design)};
   }
 
-  // True if the concave root of the pinion cuts a cusp into the wheel. In this case, the wheel's
-  // flank ends before the point that is conjugate to the start of the pinion's flank.
+  // True if the concave root of the pinion cuts a cusp into the wheel. The flank of the wheel then
+  // ends before the point that is conjugate to the start of the pinion's flank.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
     const auto& involute = curve_as<Involute>(*flank.curve);
@@ -381,8 +381,8 @@ class FewTeethSearch {
     return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;
   }
 
-  // Width of the finished tip. If a fillet rounds the whole tip, the width is the diameter of this
-  // fillet. Otherwise, the width is that of the land.
+  // Returns the width of the finished tip. If a fillet rounds the whole tip, this is the diameter
+  // of the fillet. Otherwise, it is the width of the tip land.
   static double tip_width(const Gear& g) {
     if (g.tooth->rounded_tip && g.tooth->tip_fillet) return 2 * g.tooth->tip_fillet->radius;
     return g.tip_tooth_thickness_normal.value_or(0.0);

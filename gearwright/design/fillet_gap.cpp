@@ -16,12 +16,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct Corner {
   double a;      // centre distance
   double u;      // tip radius
-  double angle;  // angle between the corner and the middle of its tooth, including half of the
-                 // backlash
+  double angle;  // from the corner to the middle of its tooth, plus half of the backlash
   double ratio;  // z of the mating gear divided by z of this gear
 };
 
-// The root fillet in the transverse section, as cut by the tip rounding of the rack. X is measured
+// The root fillet in the transverse section, cut by the tip rounding of the rack. X is measured
 // from the middle of the rack's tooth, and Y outwards from the pitch line.
 class Fillet {
  public:
@@ -36,9 +35,9 @@ class Fillet {
   }
   double end() const { return end_; }
 
-  // The gap at the fillet point that is cut at the angle tau of the rack's tip rounding. The angle
-  // is measured from the deepest point of the rounding. The gap is ∞ if the corner does not reach
-  // the radius of the fillet point.
+  // Returns the gap at a point of the fillet. The rack cuts this point at the angle `tau` of its
+  // tip rounding, measured from the deepest point of the rounding. If the corner does not reach the
+  // radius of the point, the gap is ∞.
   double gap(double tau, const Corner& c) const {
     const double sine = std::sin(tau);
     const double cosine = std::cos(tau);
@@ -82,16 +81,16 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
   if (least == kInfinite) return least;
   // Between nodes, the gap may be smaller than at the lowest node. The decrease is at most the
   // difference between the lowest node and the higher one of its neighbours. If the gap at the
-  // lowest node exceeds this difference, no gap is negative, and the value at the lowest node
-  // is returned.
+  // lowest node exceeds this difference, no gap is negative. The function then returns the gap at
+  // the lowest node.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
   // Between the neighbours of the lowest node, the gap has one minimum. Golden section locates this
-  // minimum to a thousandth of a step, which gives the gap with an error of only a millionth of a
-  // step.
+  // minimum to a thousandth of a step. At a minimum, such an error changes the gap by only a
+  // millionth of a step.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
   double hi = node(std::min(best + 1, kNodes));
@@ -124,9 +123,9 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const std::array<TrialGear, 2>& g = graph.gears();
   if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
   const double sum = shifts[0] + shifts[1];
-  // If Σ = 0, both gears are conjugate to the same rack. If, in addition, no addendum exceeds
-  // the depth of the straight edges, the tip corners touch only flanks that these edges cut.
-  // The tip corners do not reach the fillets, which are cut by the rounding of the rack.
+  // If Σ = 0, both gears are conjugate to the same rack. Suppose that no addendum exceeds the depth
+  // of the straight edges. The tip corners then touch only flanks that these edges cut. They do not
+  // reach the fillets, which the rounding of the rack cuts.
   if (sum == 0.0 &&
       std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
@@ -136,7 +135,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the line of action, which exists if the centre distance exceeds the
+  // The backlash along the line of action. It is > 0 if the centre distance exceeds the
   // backlash-free centre distance.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);
@@ -145,7 +144,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& mate = g[1 - i];
     const double x = shifts[static_cast<int>(1 - i)];
     const double u = mate.r + mate.addendum + x + at.k;
-    // Half of the transverse tip thickness, computed from s_an, as an angle. [T9.3]
+    // Half of the transverse tip thickness, computed from s_an and expressed as an angle. [T9.3]
     const double cos_at_tip =
         1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
     const double half = tip_thickness(mate, x, at.k) / cos_at_tip / (2.0 * u);
@@ -159,8 +158,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
   if (!graph.problem().limits.clear_fillets) return false;
-  constexpr double kClear = 1e-6;  // modules; least gap, so that a design still has a positive gap
-                                   // after its values are rounded in a printed spec
+  constexpr double kClear = 1e-6;  // modules; keeps the gap positive after the values of a printed
+                                   // spec are rounded
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;
 }

@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// Relative tolerance within which a centre distance that is given with ten digits counts as
-// equal to the computed centre distance.
+// Relative tolerance for centre distances. A centre distance given with ten digits counts as equal
+// to the computed one.
 constexpr double kSameDistance = 1e-9;
 
 std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
@@ -47,8 +47,8 @@ Error one_condition_too_many() {
           "overdetermines the pair; leave out this value or another given value"};
 }
 
-// The position of known gears on parallel axes. They are free of backlash at only one centre
-// distance.
+// Returns the position of known gears on parallel axes. Such gears are free of backlash at only one
+// centre distance.
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
   Fit result;
@@ -168,8 +168,8 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
   const bool parallel = axes_are_parallel(gears);
   std::optional<Angle> shaft_angle = p.shaft_angle;
   if (!parallel && !shaft_angle) {
-    // By default, Σ is the shaft angle at which the given centre distance is the minimum centre
-    // distance of the gears.
+    // By default, Σ is the shaft angle for which the given centre distance is the least possible
+    // centre distance of the gears.
     const auto alpha = transverse_angle_at_pitch_sum(gears, *p.center_distance);
     if (!alpha) {
       Fit none;
@@ -219,7 +219,7 @@ Result<Fit> fit(const FitProblem& p) {
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {
-    // Gears that cannot mesh at this shaft angle at all are rejected first.
+    // Gears that cannot mesh at this shaft angle at any centre distance are rejected first.
     const auto specs = specs_of(p);
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);

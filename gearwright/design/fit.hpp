@@ -1,16 +1,16 @@
-// Finds gears for a given centre distance, shaft angle and ratio, which is the inverse of the
-// computation of a pair from its gears.
+// Finds gears for a given centre distance, shaft angle and ratio. This is the inverse problem of
+// computing a pair from its gears.
 //
 //   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, where β_w2 = Σ − β_w1; H is the sum of the pitch diameters
 //        in units of p_n/π
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
-// H is convex, so H = T has at most two solutions. If the gears are known, their position is
-// computed. If the position is known, the gears are computed. If a helix angle is unknown, only
-// designs at their minimum centre distance are considered. The pitch planes of these designs
+// H is convex, so H = T has at most two solutions. If the gears are known, the file computes their
+// position. If the position is known, it computes the gears. If a helix angle is unknown, only
+// designs at their least centre distance are considered. In these designs, the pitch planes
 // coincide (X = 0), so a small error of Σ changes the backlash-free centre distance only to second
-// order. On parallel axes, every backlash-free pair is at its minimum centre distance.
+// order. On parallel axes, every backlash-free pair is at its least centre distance.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// The known values. Absent values are unknown and are computed. Lengths in mm; z2 < 0 for an
+/// The known values. Values that are absent are computed. Lengths are in mm. z2 is < 0 for an
 /// internal gear.
 struct FitProblem {
   std::array<int, 2> teeth{};
@@ -68,11 +68,11 @@ struct Fit {
 /// Errors    the member that is missing, or the member that overdetermines the pair
 Result<Fit> fit(const FitProblem& problem);
 
-/// The designs that meet the given condition, which is α_wn, a helix angle, or x1 + x2 (by default
-/// 0).
+/// Returns the designs that meet the given condition. The condition is α_wn, a helix angle, or x1 +
+/// x2. If none is given, it is x1 + x2 = 0.
 ///
 /// Domain    a and Σ are given, and at least one helix angle is absent (contract)
-/// Errors    names of conditions that exclude each other
+/// Errors    the names of conditions that exclude each other
 Result<Fit> min_distance_designs(const FitProblem& problem);
 
 }  // namespace gearwright

@@ -1,14 +1,15 @@
 // Computes the closed intervals in which a continuous function of one variable is not negative. The
 // ends of the intervals are roots of the function.
 //
-// The function is evaluated at nodes. Between two nodes of different sign, one root is found by
-// bracketing. A narrow interval may also lie between nodes. If the function is negative at a node
-// and smaller at both neighbours, golden section therefore searches for the maximum between these
-// neighbours. If the function is quasiconcave, which means that its superlevel sets are intervals,
-// the result is exact except for rounding.
-// docs/theory/09-design-search.md proves for which arguments the functions of the s1–s2 graph are
-// quasiconcave. For other functions, a maximum may be missed if its interval is narrower than the
-// distance between two nodes and lies next to a higher maximum.
+// The function is evaluated at nodes. Between two nodes of different sign, bracketing finds one
+// root. A narrow interval may also lie between nodes. If the function is negative at a node and
+// smaller at both neighbours, golden section therefore searches for the maximum between these
+// neighbours.
+//
+// A function is quasiconcave if its superlevel sets are intervals. For such a function, the result
+// is exact except for rounding. docs/theory/09-design-search.md proves for which arguments the
+// functions of the s1–s2 graph are quasiconcave. For other functions, a maximum may be missed if
+// its interval is narrower than the distance between two nodes and lies next to a higher maximum.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct Interval {
 
 inline constexpr int kIntervalNodes = 24;
 
-/// The number in the intervals that is nearest to 0; absent if there are no intervals.
+/// Returns the number in the intervals that is nearest to 0, or none if there are no intervals.
 inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
   std::optional<double> nearest;
   for (const Interval& i : intervals) {
@@ -38,18 +39,20 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
   return nearest;
 }
 
-/// Known properties of a function, which reduce the number of evaluations.
+/// Known properties of a function. They reduce the number of evaluations.
 struct Hump {
-  /// Upper limit of f″, except at creases, where f changes from one smooth function to another.
+  /// Upper limit of f″. It need not hold at creases, where f changes from one smooth function to
+  /// another.
   double bend = std::numeric_limits<double>::infinity();
   double below = -1e-9;  ///< maxima below this value are ignored
 };
 
 namespace detail {
 
-/// The greatest possible value of a concave function between a and b, from its values at a, x, y
-/// and b, where a < x < y < b. An unknown f(a) or f(b) is given as −∞. Outside the interval between
-/// two of its points, a concave function lies below the secant through these points.
+/// Returns the greatest possible value of a concave function between a and b. The function is known
+/// at a, x, y and b, where a < x < y < b. If f(a) or f(b) is unknown, the argument is −∞. The
+/// result uses that, outside the interval between two points, a concave function lies below the
+/// secant through these points.
 inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
                               double b, double f_b, double bend) {
   const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };
@@ -61,12 +64,12 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
   return std::max(f_x, f_y) + std::max(outside, inside) + bend * (b - a) * (b - a);
 }
 
-/// Searches for the maximum of f between a and b by golden section and returns the best point. The
-/// search ends as soon as f > 0, or when f is certain not to exceed `hump.below`.
+/// Searches for the maximum of f between a and b by golden section, and returns the best point. The
+/// search ends if f > 0, or if f certainly does not exceed `hump.below`.
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
-  // Width of the interval at which the search ends. This width suits variables of the order of 1,
+  // The search ends at this width of the interval. The width suits variables of the order of 1,
   // such as shifts and their sums.
   constexpr double kNarrow = 1e-13;
   constexpr double kUnknown = -std::numeric_limits<double>::infinity();
@@ -98,8 +101,8 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
 }
 
 /// True if the node x is a root except for rounding, for example at a corner of the shift limits.
-/// Then the chord to the next node crosses zero within the rounding error of x, and bracketing
-/// would not improve the root.
+/// The chord to the next node then crosses zero within the rounding error of x, so bracketing
+/// cannot improve the root.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
   return away <=
@@ -108,7 +111,7 @@ inline bool is_root(double x, double f_x, double next, double f_next) {
 
 }  // namespace detail
 
-/// The intervals in which f ≥ 0, and the greatest computed value of f.
+/// The intervals in which f ≥ 0, and the greatest value of f that was computed.
 struct Superlevel {
   std::vector<Interval> pieces;
   double highest = -std::numeric_limits<double>::infinity();
@@ -181,26 +184,27 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   return found;
 }
 
-/// The intervals of [a, b] in which f ≥ 0, in ascending order. An interval may consist of a single
+/// Returns the intervals of [a, b] in which f ≥ 0, in ascending order. An interval may be a single
 /// point.
 ///
-/// Domain    f continuous; there are no intervals if a > b
+/// Domain    f continuous; if a > b, there are no intervals
 template <class F>
 std::vector<Interval> where_not_negative(const F& f, double a, double b, int nodes = kIntervalNodes,
                                          const Hump& hump = {}) {
   return superlevel(f, a, b, nodes, hump).pieces;
 }
 
-/// The intervals in which f ≥ 0 or, if there are none, the intervals in which f ≥ −touch.
+/// Returns the intervals in which f ≥ 0. If there are none, returns the intervals in which f ≥
+/// −touch.
 ///
 /// Domain    touch much smaller than −hump.below
 template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // If f ≥ 0 gives no interval, a maximum that is zero except for rounding counts as one, so the
-  // condition f ≥ −touch is used. If there are intervals, this condition would only move their
-  // ends.
+  // If f ≥ 0 gives no interval, a maximum that is zero except for rounding still counts as an
+  // interval. The condition is therefore changed to f ≥ −touch. If there are intervals, this change
+  // would only move their ends.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

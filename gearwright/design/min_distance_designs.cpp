@@ -1,5 +1,5 @@
-// Computes the helix angles and shifts of the pairs for which the given a is the minimum centre
-// distance at the given Σ.
+// Computes helix angles and shifts of pairs with a given centre distance a and shaft angle Σ. The
+// given a is the least possible centre distance of these pairs at Σ.
 //
 //   H      sum of the pitch diameters in units of p_n/π (design/fit.hpp)
 //   β_w1   the only unknown; all other values follow in closed form:
@@ -33,8 +33,8 @@ constexpr double kMargin = 0.1 * kRadPerDeg;     // least distance between a wor
 constexpr double kSteepest = 89.0 * kRadPerDeg;  // greatest helix angle of a gear
 constexpr double kParallel = 1e-9;               // greatest |Σ| of parallel axes, rad, as in
                                                  // pair/partners.cpp
-constexpr int kCells = 512;  // number of cells into which the range of β_w1 is divided to find the
-                             // roots of functions of unknown shape
+constexpr int kCells = 512;  // number of cells of the range of β_w1, in which roots of functions of
+                             // unknown shape are searched
 // The function H(β_w1) at one shaft angle, and the minimum of this function.
 class PitchSum {
  public:
@@ -59,7 +59,8 @@ class PitchSum {
   double hi() const { return hi_; }
   double argmin() const { return argmin_; }
   double min() const { return (*this)(argmin_); }
-  // The solutions of H(β_w1) = t in ascending order. There are at most two, because H is convex.
+  // Returns the solutions of H(β_w1) = t in ascending order. There are at most two, because H is
+  // convex.
   std::vector<double> where(double t) const {
     const double rest = min() - t;
     if (rest > 0.0) return {};
@@ -67,8 +68,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, the solution lies outside the range of β_w1, where H
-      // is greater than for any practical gears.
+      // If the bracket contains no root, the solution lies outside the range of β_w1. H is greater
+      // there than for any practical gears.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -80,7 +81,7 @@ class PitchSum {
   double z1_, z2_, side_, sigma_, lo_, hi_, argmin_;
 };
 
-// The given shaft angle; 0 if the axes are parallel within kParallel.
+// Returns the given shaft angle, or 0 if the axes are parallel within kParallel.
 double shaft_angle_of(const FitProblem& p) {
   return std::abs(p.shaft_angle->rad()) <= kParallel ? 0.0 : p.shaft_angle->rad();
 }
@@ -90,7 +91,7 @@ class Designs {
  public:
   explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, shaft_angle_of(p)) {}
   const PitchSum& pitch_sum() const { return H_; }
-  // T, the required value of H for the working pressure angle α_wn.
+  // Returns T, the required value of H for the working pressure angle α_wn.
   double target(double cos_wn) const {
     return 2 * *p_.center_distance * cos_wn /
            (p_.normal_module * std::cos(p_.normal_pressure_angle.rad()));
@@ -124,8 +125,9 @@ class Designs {
   PitchSum H_;
 };
 
-// Roots of f in those parts of [lo, hi] in which f exists. One root is found for every change of
-// sign between neighbouring grid points, and two roots near every extremum that crosses zero.
+// Returns the roots of f in those parts of [lo, hi] in which f exists. If f changes its sign
+// between neighbouring grid points, one root is found there. Near an extremum that crosses zero,
+// two roots are found.
 std::vector<double> roots(const std::function<std::optional<double>(double)>& f, double lo,
                           double hi) {
   std::vector<double> found;
@@ -167,8 +169,8 @@ std::array<double, 2> divided(const FitProblem& p, double sum) {
   return {x1, x2};
 }
 
-// For a given working pressure angle, finds the smallest possible a at the given Σ, and the
-// greatest possible |Σ| at the given a.
+// For a given working pressure angle, finds two values: the smallest possible a at the given Σ, and
+// the greatest possible |Σ| at the given a.
 void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const Designs designs(p);
   const PitchSum& H = designs.pitch_sum();
@@ -181,7 +183,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
   if (p.teeth[1] < 0) return;
-  // The minimum of H over β_w1 is z1 + z2 on parallel axes and grows with |Σ|.
+  // On parallel axes, the minimum of H over β_w1 is z1 + z2. The minimum grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason +=
         refused("", *p.center_distance, {*p.center_distance * (p.teeth[0] + p.teeth[1]) / t},

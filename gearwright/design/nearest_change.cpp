@@ -22,11 +22,12 @@ std::string shown(const std::array<double, 2>& b) {
   return b[0] == b[1] ? shown(b[0]) : fmt::format("[{:.10g}, {:.10g}]", b[0], b[1]);
 }
 
-// Greatest number of trials per member that are evaluated by the filter.
+// Greatest number of trials that the filter evaluates for one member.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// Effort of the change that permits interference. Designs with interference do not run.
+// Effort of the change that permits interference. It is high, because designs with interference do
+// not run.
 constexpr double kNotToRun = 100.0;
-// Relative accuracy of a change, which is printed with four digits.
+// Relative accuracy of a change. Changes are printed with four digits.
 constexpr double kEnough = 1e-9;
 
 // Computes the least change of one member, and counts the evaluated graphs.
@@ -36,16 +37,15 @@ class Least {
         std::int64_t most_questions)
       : knob_(&knob), watch_(&watch), max_questions_(most_questions), problem_(problem) {}
 
-  /// The value nearest to the given one with which a design exists. The change is rounded away
-  /// from zero to a number of four digits.
+  /// Returns the value nearest to the given one for which a design exists. The change is rounded
+  /// away from zero to four digits.
   std::optional<double> find() {
     if (knob_->value == knob_->far || !reach()) return std::nullopt;
     const auto to = knob_->kind == Knob::Kind::limit ? of_limit() : of_new_trials();
     if (!to || knob_->kind == Knob::Kind::teeth) return to;
     const double move = *to - knob_->value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-    constexpr double kWhole = 1e-6;  // steps: tolerance that prevents whole steps from being
-                                     // rounded up
+    constexpr double kWhole = 1e-6;  // steps: tolerance, so that whole steps are not rounded up
     const double rounded =
         knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
     const double tidy = std::stod(shown(rounded));
@@ -89,13 +89,14 @@ class Least {
   }
   bool lets_through(double value) {
     if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
-    // The changed band of ratios must include the trial that was found, with the tolerance of
-    // SearchSpace.
+    // The changed band of ratios must include the trial that was found. SearchSpace applies a
+    // tolerance to the band, so this is checked.
     knob_->set(problem_, value);
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
   }
-  // Sets the member to the far end of its range and calls f for every trial that passes the filter.
+  // Sets the member to the far end of its range, and calls f for every trial that passes the
+  // filter.
   template <class F>
   void each_candidate(const F& f) {
     knob_->set(problem_, far_);
@@ -116,7 +117,7 @@ class Least {
     knob_->set(problem_, far_);
     const SearchProblem at_far = problem_;
     const SearchSpace space(at_far);
-    std::mt19937_64 random(1);  // if all trials are evaluated, the seed does not affect the result
+    std::mt19937_64 random(1);  // the seed has no effect if all trials are evaluated
     const double enough = kEnough * std::max(1.0, std::abs(knob_->value));
     std::optional<double> best;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -139,7 +140,7 @@ class Least {
     return best;
   }
 
-  // The value of the member that is needed to include the trial.
+  // Returns the value of the member that is needed to include the trial.
   double needs(const Trial& t) const {
     return knob_->kind == Knob::Kind::teeth ? t.z1 : static_cast<double>(t.z2) / t.z1;
   }
@@ -320,7 +321,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   std::stable_sort(
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
-  // Both ends of a band have the same name, and each name is stored only once.
+  // Both ends of a band have the same name. Each name is stored only once.
   for (std::vector<std::string>* fields : {&found.bounded, &found.tried}) {
     std::vector<std::string> once;
     for (std::string& field : *fields)

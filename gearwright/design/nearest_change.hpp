@@ -1,13 +1,13 @@
-// Computes, for a search without a feasible design, the smallest change of a single number with
-// which a design is feasible.
+// For a search without a feasible design, computes changes of single numbers after which a design
+// is feasible.
 //
-// Each number is changed separately, by the smallest amount with which a design exists. Numbers
-// that do not help at any value are omitted. There are two kinds of numbers:
+// Each number is changed separately, by the smallest amount with which a design exists. A number is
+// omitted if no value of it gives a design. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
 //                   over all trials. The trials are evaluated in random order. Each trial is first
 //                   evaluated with a change slightly smaller than the smallest one found so far.
-//                   If the trial is then feasible, which is true for about ln n of n trials,
-//                   bisection finds the smallest change for this trial.
+//                   If the trial is then feasible, bisection finds the smallest change for this
+//                   trial. This happens for about ln n of n trials.
 //   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
 // For rated designs, the load, the face width and the steel are changed as well.
@@ -22,37 +22,38 @@
 namespace gearwright {
 
 struct NearestChange {
-  std::string field;  ///< the member of SearchProblem, such as "limits.contact_ratio"; or
-      ///< "rating.torque", "rating.power", or "gear1.material.name" for the steel of both gears
+  /// The changed member of SearchProblem, such as "limits.contact_ratio". Other values are
+  /// "rating.torque", "rating.power", and "gear1.material.name" for the steel of both gears.
+  std::string field;
   std::string from;  ///< the given value, such as "1.2" or "[99, 101]"
-  std::string to;    ///< value with which a design exists, rounded towards feasible values
-  /// Size of the change: |to − from| divided by the value itself (distance, ratio, teeth, load,
-  /// face width), by 2 (sliding) or by 1 (others). The effort of `coprime` and of another steel
-  /// is 0.5. The effort of permitting interference is 100, because designs with interference do
+  std::string to;    ///< value with which a design exists, rounded to the feasible side
+  /// Size of the change. This is |to − from| divided by the value itself (distance, ratio, teeth,
+  /// load, face width), by 2 (sliding) or by 1 (others). `coprime` and another steel have the
+  /// effort 0.5. Permitting interference has the effort 100, because designs with interference do
   /// not run.
   double effort;
 };
 
 struct NearestChanges {
   std::vector<NearestChange> changes;  ///< by ascending effort
-  /// Members for which not all trials were evaluated. A change smaller than the one in
-  /// `changes` may be sufficient for such a member.
+  /// Members for which not all trials were evaluated. A smaller change than the one in `changes`
+  /// may be sufficient for such a member.
   std::vector<std::string> bounded;
   std::vector<std::string> tried;  ///< all members that were changed, with or without success
   std::int64_t asked = 0;          ///< number of graphs computed
   bool stopped = false;  ///< true if the watch stopped the search; changes may then be missing
-  /// The rated design whose safety factors come nearest to the required ones.
+  /// The rated design with the greatest safety factors, compared with the required ones.
   std::optional<DesignRow> safest;
 };
 
-/// Greatest number of trials of a search for which changes are computed. The number is limited,
-/// because each trial is evaluated several times for every member.
+/// Changes are computed only if the search has at most this number of trials. Each trial is
+/// evaluated several times for every member.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
 /// Greatest number of graphs computed for one member. The slowest graphs are those with shortened
-/// tips, of which 2000 take 1 s.
+/// tips; 2000 of them take 1 s.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
-/// Returns the changes by ascending effort. The watch receives the number of evaluations of trials.
+/// Returns the changes by ascending effort. `watch` receives the number of evaluated trials.
 ///
 /// Domain    no design is feasible; size() ≤ kMaxForChange (contract)
 NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& watch = {},

@@ -240,10 +240,10 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
   }
 }
 
-// Tight centres with shortened tips, whose clearance is at most that of the racks. For each knob,
-// all trials (432 and more) must be checked, and only a change of the clearance helps. A bisection
-// of the whole search would need about 30 times as many checks with the graph, and each of them
-// costs two thousand times as much as a check with the filter.
+// A search at tight centres with shortened tips, whose clearance is at most that of the racks. For
+// each quantity that may change, all trials (432 and more) must be checked, and only a change of
+// the clearance helps. A bisection of the whole search would need about 30 times as many checks
+// with the graph. Each of these checks costs two thousand times as much as a check with the filter.
 SearchProblem slow() {
   SearchProblem p;
   p.ratio = {4.0, 5.0};
@@ -270,8 +270,8 @@ TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
   for (const char* field :
        {"limits.tip_clearance", "limits.contact_ratio", "ratio", "pinion_teeth"})
     EXPECT_EQ(std::count(found.tried.begin(), found.tried.end(), field), 1) << field;
-  // The number of checks: the trials that pass the filter at the far end of each knob, plus the
-  // bisections.
+  // The number of checks is at most the number of trials that pass the filter at the far end of
+  // each quantity, plus the checks of the bisections.
   std::int64_t passed = 0;
   for (SearchProblem far : {p, p, p, p, p}) {
     far.pinion_teeth = {5, 40};

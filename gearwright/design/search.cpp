@@ -21,8 +21,8 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// Represents an absent limit of a shift or a centre distance, modules. The value exceeds all shifts
-// and distances that occur, and the square of the value is finite.
+// Replaces an absent limit of a shift or a centre distance, modules. The value exceeds all shifts
+// and distances that occur, and its square is finite.
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {
@@ -34,8 +34,8 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix
   const std::lock_guard lock(mutex_);
   const auto key = std::make_tuple(which, rack, helix);
   if (const auto found = tables_.find(key); found != tables_.end()) return found->second;
-  // Trials are processed in the order of rack and helix angle, so a few stored tables of gears are
-  // sufficient.
+  // Trials are processed in the order of rack and helix angle, so it is sufficient to store a few
+  // tables of gears.
   constexpr std::size_t kTables = 16;
   if (tables_.size() >= kTables) tables_.clear();
   const auto [least, most] = which == 0 ? problem_.pinion_teeth : space_.wheels();
@@ -88,16 +88,15 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    // Shortened tips are thicker, so the greatest shift may exceed x_max. If tips are shortened,
-    // the filter therefore uses only the limit given in the problem. The graph later computes the
-    // greatest shift.
+    // Shortened tips are thicker, so the greatest shift may exceed x_max. In this case, the filter
+    // uses only the limit given in the problem, and the graph computes the greatest shift later.
     const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
     const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch_.in[k][i] = values[k];
   }
   std::size_t size() const { return trials_.size(); }
-  /// decide(trial, verdict) returns true if the search shall continue.
+  /// `decide(trial, verdict)` returns true if the search shall continue.
   template <class F>
   bool flush(const F& decide) {
     if (trials_.empty()) return true;
@@ -165,8 +164,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
            ++result.rejected[static_cast<std::size_t>(verdict)];
            return true;
          }
-         // The watch is called before each graph, because a graph may take as long as a
-         // thousand verdicts of the filter.
+         // The watch is called before each graph, because one graph may take as long as a thousand
+         // verdicts of the filter.
          if (wish.watch && !wish.watch(0)) return false;
          const ShiftGraph graph(problem_, t, g_1, g_2);
          const auto keep = [&](const DesignRow& row) {
@@ -191,14 +190,14 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          } else if (const auto row =
                         design_row(graph, problem_.rating || problem_.draw ? RegionDetail::point
                                                                            : wish.detail)) {
-           // The values of the region are computed only for accepted designs, because they take
+           // The values of the region are computed only for accepted designs, because this takes
            // longer than all other values.
            if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If no limit removes the whole region, the trial is rejected because the tips cut into
-         // the fillets at all points that were tried.
+         // If no limit removes the whole region, the reason for the rejection is that the tips cut
+         // into the fillets at all points that were tried.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

@@ -1,10 +1,10 @@
-// Searches for designs: computes, for every trial, either a design or the limit that rejects the
-// trial, and sorts the best designs.
+// Searches for designs. For every trial, the search computes a design or the limit that rejects the
+// trial. It sorts the best designs.
 //
-// Ranges of trials are searched independently, so a search can be divided among threads, shards
-// and ranks. The first three limits need only a few operations and reject most trials. The
-// filter (design/candidate.hpp) evaluates these limits for several trials at once. A graph
-// (design/shift_graph.hpp) is computed only for trials that the filter does not reject.
+// Ranges of trials are searched independently, so a search can be divided among threads, shards and
+// ranks. The first three limits need only a few operations and reject most trials. The filter
+// (design/candidate.hpp) evaluates these limits for several trials at once. If the filter does not
+// reject a trial, its graph (design/shift_graph.hpp) is computed.
 #pragma once
 
 #include <array>
@@ -23,30 +23,30 @@
 namespace gearwright {
 
 struct SearchCounts {
-  std::int64_t tested = 0;  ///< number of trials; if numbers of teeth must be coprime, only coprime
-                            ///< trials are counted
+  std::int64_t tested = 0;  ///< number of trials; with `coprime`, trials with a common factor are
+                            ///< not counted
   std::int64_t feasible = 0;
-  std::array<std::int64_t, kLimits> rejected{};  ///< number of trials that each limit rejects; each
-                                                 ///< trial counts for the first such limit only
+  std::array<std::int64_t, kLimits> rejected{};  ///< number of trials that each limit rejects; a
+                                                 ///< trial counts only for the first such limit
   std::int64_t points_tested = 0, points_feasible = 0;  ///< points of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
 };
 
-/// `decided` is the number of trials for which the filter gave a verdict. `asked` is the number of
-/// trials for which the filter could not decide.
+/// `decided` is the number of trials that the filter decided. `asked` is the number of trials that
+/// the filter could not decide.
 struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
-/// A callback for long searches, which receives the number of trials since the last call and
-/// returns true if the search shall continue. Any working thread may call the callback, many times
-/// per second. The callback may be empty.
+/// A callback for long searches. It receives the number of trials since the last call and returns
+/// true if the search shall continue. Any working thread may call it, many times per second. It may
+/// be empty.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 struct RangeOptions {
-  RegionDetail detail = RegionDetail::whole;  ///< whether rows contain the values of the region;
+  RegionDetail detail = RegionDetail::whole;  ///< whether rows contain the values of the region; a
                                               ///< ranking by area requires `whole`
   SieveCounts* sieve = nullptr;
   std::vector<ShiftPoint>* points =
@@ -66,20 +66,20 @@ class Search {
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
                      const RangeOptions& wish = {}) const;
 
-  /// The given row, completed by the values of its region.
+  /// Returns the given row, completed by the values of its region.
   DesignRow whole(const DesignRow& row) const;
   /// True if a trial in [from, to) is feasible. The search stops at the first such trial.
   bool exists(std::int64_t from, std::int64_t to) const;
 
-  /// Calls f for every trial that the filter does not reject, until f returns false.
+  /// Calls f for every trial that the filter does not reject. The calls end when f returns false.
   void candidates(const std::function<bool(const Trial&)>& f, const SearchWatch& watch = {}) const;
 
   ShiftGraph graph(const Trial& trial) const;
   bool feasible(const Trial& trial) const { return has_design(graph(trial)); }
 
  private:
-  // Evaluates the filter for the trials [from, to). Calls decide(trial, verdict, gear 1, gear
-  // 2) for one trial after another, until it returns false.
+  // Evaluates the filter for the trials [from, to), and calls decide(trial, verdict, gear 1, gear
+  // 2) for one trial after another. The calls end when `decide` returns false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const SearchWatch& watch, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;
@@ -90,15 +90,14 @@ class Search {
   mutable std::map<std::tuple<int, int, Angle>, std::shared_ptr<const TrialGears>> tables_;
 };
 
-/// The result of a search. Designs are sorted by the first objective, best first. If there are
-/// several objectives, the designs of the Pareto front precede all others.
+/// The result of a search. Designs are sorted by the first objective, the best first. If there are
+/// several objectives, the designs of the Pareto front come before all others.
 struct SearchAnswer {
   SearchAnswer() = default;  ///< empty; prevents aggregate initialisation
   SearchCounts counts;
   std::vector<DesignRow> designs;
   std::vector<std::size_t> pareto;  ///< indices of the Pareto front in `designs`
-  bool cut = false;                 ///< true if there are more feasible designs than `designs`
-                                    ///< contains
+  bool cut = false;                 ///< true if some feasible designs are missing in `designs`
 };
 /// Receives any number of designs and keeps only the best ones and the Pareto front.
 class BestDesigns {
@@ -116,7 +115,7 @@ class BestDesigns {
   };
   const SearchProblem* problem_;
   std::size_t max_;
-  std::vector<Place> heap_;      ///< indices of the best rows; the worst of them is on top
+  std::vector<Place> heap_;      ///< indices of the best rows; the worst of these rows is on top
   std::vector<DesignRow> rows_;  ///< the rows to which `heap_` refers
   ParetoFront front_;
   std::int64_t added_ = 0;

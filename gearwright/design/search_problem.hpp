@@ -39,7 +39,7 @@ enum class Limit {
   verdict        ///< verdict on the drawing of the design at all tolerance ends
 };
 inline constexpr int kRegionLimits =
-    7;  ///< number of limits that define the region; they precede all others
+    7;  ///< number of limits that define the region; these limits come first
 inline constexpr int kLimits = 10;
 /// "shift_limits", "center_distance", …
 std::string_view name(Limit limit);
@@ -54,7 +54,7 @@ enum class Objective {
   formula_contact_ratio,  ///< with the path between the tips (Eq. 10), regardless of the flanks
   mass,
   safety,      ///< smallest of S_H/S_Hmin and S_F/S_Fmin
-  efficiency,  ///< η with gear 1 driving
+  efficiency,  ///< η if gear 1 drives
   balance,     ///< greatest load reserve divided by the least one (design/design_objectives.hpp)
   cost,        ///< mass times a factor that grows with the face width
   noise        ///< estimated transmission error under load, peak to peak
@@ -78,8 +78,8 @@ inline constexpr bool needs_rating(Objective objective) {
          objective == Objective::noise;
 }
 
-/// The racks of both gears, and the depths of their straight edges, measured from the datum
-/// line in modules.
+/// The racks of both gears, and the depths of their straight edges. The depths are in modules and
+/// are measured from the datum line.
 struct SearchRacks {
   std::array<StraightRack, 2> rack;
   std::array<double, 2> undercut_depth{1.0, 1.0};  ///< for undercut and the clipped path
@@ -92,22 +92,22 @@ struct SearchLimits {
                                                ///< limit
   double tip_thickness = 0.2;                  ///< least s_an, modules
   double contact_ratio =
-      1.2;  ///< least ε_α, also of the clipped path; least AE/p_bn on crossed axes
+      1.2;  ///< least ε_α, also of the clipped path; on crossed axes, least AE/p_bn
   std::optional<double> overlap_ratio;  ///< least ε_β
   std::optional<double> sliding;        ///< greatest |ζ| at the ends of the path; parallel axes
                                         ///< only
   std::optional<double> tip_clearance;  ///< least c, modules
-  bool avoid_interference = false;      ///< if true, no tip may reach beyond the start of the
-                                        ///< mating gear's flank
+  bool avoid_interference = false;      ///< if true, no tip may touch the mating gear beyond the
+                                        ///< start of its flank
   bool clear_fillets = false;   ///< if true, no tip may cut into a root fillet at the chosen shifts
-  double form_clearance = 0.0;  ///< least distance between a tip and the start of the mating gear's
-                                ///< flank, along the line of action, modules
+  double form_clearance = 0.0;  ///< modules, along the line of action; least distance from the
+                                ///< start of a flank to the point that the mating tip touches
   std::optional<double> safety_flank, safety_root;  ///< S_Hmin, S_Fmin for rated designs
 };
 
 class RingCuts;
 
-/// The inputs for the rating of every design, which are those of the verb `rate`.
+/// The inputs for the rating of every design. They are the inputs of the verb `rate`.
 struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm, for a gear body with rim and web
@@ -134,9 +134,9 @@ struct SearchProblem;
 struct DrawnDesign {
   bool runs = false;                                ///< true if no finding is worse than green
   std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both tolerance ends
-  /// The pair at every combination of tolerance ends. The list is filled only if insufficient
-  /// safety factors are the only reason why the design does not run, so that a wider face may
-  /// help.
+  /// The pair at every combination of tolerance ends. The list is filled only if a wider face may
+  /// help. This is the case if the design does not run, and insufficient safety factors are the
+  /// only reason.
   std::vector<RatedPair> at_ends{};
 };
 using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;
@@ -145,8 +145,8 @@ inline constexpr double kFaceModules = 10.0;      ///< default b/m_n
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 inline constexpr double kUsualFriction = 0.05;    ///< μ for the objective `efficiency`
 
-/// Limits with which designs run, modules. A caller can use these limits as defaults. SearchLimits
-/// itself has other defaults.
+/// Limits for designs that run, modules. A caller can use them as defaults, because the defaults of
+/// SearchLimits are different.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
 
@@ -177,15 +177,15 @@ struct SearchProblem {
   Angle normal_pressure_angle = Angle::degrees(20);  ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
   bool coprime = false;  ///< if true, z1 and z2 must have no common factor
-  // Bands of the face width of both gears, both ends included. Each design gets the smallest
-  // width that lies within all bands and gives the required safety factors and overlap ratio.
+  // Bands of the face width of both gears, both ends included. Each design gets the smallest width
+  // within all bands that gives the required safety factors and the required overlap ratio.
   std::optional<std::array<double, 2>> face_width;      ///< b  mm
   std::optional<std::array<double, 2>> face_modules;    ///< b/m_n; 10 if there is no band
   std::optional<std::array<double, 2>> face_diameters;  ///< b/d_1
   double face_step = 1.0;  ///< mm; widths within a band are multiples of this step
   Mounting mounting = Mounting::extended;
-  bool shorten_tips = false;  ///< if true, tips are shortened by the clearance that is lost at
-                              ///< tight centres
+  bool shorten_tips = false;  ///< if true, tips are shortened to restore the clearance that is lost
+                              ///< at tight centres
   SearchLimits limits;
   double lambda = 0.625;           ///< λ of the line of balanced strength (Eq. 11)
   double target_ratio = 0.0;       ///< for the objective `ratio`
@@ -207,17 +207,18 @@ struct SearchProblem {
     if (shaft_angle) return PairKind::crossed;
     return ratio[0] < 0.0 ? PairKind::parallel_internal : PairKind::parallel_external;
   }
-  /// True if the designs are mounted at tight centres. On crossed axes, `mounting` has no effect.
+  /// True if the designs are mounted at tight centres. On crossed axes, `mounting` has no effect
+  /// and the result is false.
   bool tight() const { return mounting == Mounting::tight && !crossed(); }
   /// True if a band contains several face widths.
   bool has_face_band() const {
     const auto open = [](const auto& band) { return band && (*band)[0] < (*band)[1]; };
     return open(face_width) || open(face_modules) || open(face_diameters);
   }
-  /// True if the face width is chosen for each design. A width that belongs to a helix angle is not
-  /// changed.
+  /// True if the face width is chosen for each design. If a helix angle was chosen for a face
+  /// width, the width is not changed.
   bool sizes_faces() const { return has_face_band() && choices.empty(); }
-  /// The limits that can reject a design, in the order of evaluation.
+  /// Returns the limits that can reject a design, in the order of evaluation.
   std::vector<Limit> rejecting_limits() const {
     std::vector<Limit> all;
     for (int i = 0; i < kLimits; ++i) {
@@ -229,7 +230,7 @@ struct SearchProblem {
   }
   /// True if masses must be computed.
   bool weighs() const { return rating || ranks_by(Objective::mass) || ranks_by(Objective::cost); }
-  /// μ if efficiencies must be computed.
+  /// Returns μ if efficiencies must be computed, and otherwise none.
   std::optional<double> flank_friction() const {
     return friction || !ranks_by(Objective::efficiency) ? friction : kUsualFriction;
   }
@@ -248,8 +249,8 @@ struct Trial {
   std::optional<double> face_width{};  ///< b  mm, if the helix angle was chosen for this width
 };
 
-/// The rack of gear i, marked as a named rack. If the fillet radius of a named rack is too great
-/// for the pressure angle, the full radius is used instead.
+/// Returns the rack of gear i, marked as a named rack. If the fillet radius of a named rack is too
+/// great for the pressure angle, the full fillet radius is used instead.
 inline StraightRack rack_of(const SearchProblem& problem, const Trial& trial, std::size_t i) {
   StraightRack rack = problem.racks[static_cast<std::size_t>(trial.rack)].rack[i];
   rack.named = true;

@@ -41,8 +41,8 @@ SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
     wheels_ = {only ? first : std::min(wheels_[0], first),
                only ? last : std::max(wheels_[1], last)};
   }
-  constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1 by more than the rounding error of the
-                                      // approximate size
+  constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1; the difference exceeds the rounding
+                                      // error of the approximate size
   if (approximate_size() < kMaxInt64) {
     choices_ = static_cast<std::size_t>(choices());
     size_ = per_module_ * static_cast<std::int64_t>(choices_) *

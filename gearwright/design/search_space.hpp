@@ -1,8 +1,8 @@
-// Enumerates the trials of a search. Every trial can be computed from its number, 0 … size − 1,
-// with the same result on every machine.
+// Enumerates the trials of a search. The numbers of the trials are 0 … size − 1. Any trial can be
+// computed from its number, with the same result on every machine.
 //
 //   order     rack, helix, module, z1, z2; z2 changes fastest. If the problem contains choices of
-//             module and helix angle, they replace helix and module
+//             module and helix angle, the choices replace helix and module
 //   z2        numbers of teeth whose ratio lies in the band, ends included, with a tolerance of
 //             1e-12
 #pragma once
@@ -15,24 +15,23 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< greatest number of teeth of a wheel; limited,
-                                                ///< because the shift limits for every number of
-                                                ///< teeth are stored
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< greatest number of teeth of a wheel; the shift
+                                                ///< limits are stored for each number of teeth
 
 class SearchSpace {
  public:
   /// Domain    a problem as read from a spec; wheels with at most kMaxSearchTeeth teeth (contract)
   explicit SearchSpace(const SearchProblem& problem);
-  /// The number of trials, including trials in which z1 and z2 have a common factor. Absent if it
-  /// exceeds 9·10^18.
+  /// Returns the number of trials, including trials in which z1 and z2 have a common factor. The
+  /// result is absent if it exceeds 9·10^18.
   std::optional<std::int64_t> size() const { return size_; }
   double approximate_size() const;
 
   /// Domain    0 ≤ index < size (contract)
   Trial trial(std::int64_t index) const;
 
-  /// Calls f(trial) for the trials in [from, to) until f returns false. If the numbers of teeth
-  /// must be coprime, trials with a common factor are omitted.
+  /// Calls f(trial) for the trials in [from, to). The calls end when f returns false. If the
+  /// numbers of teeth must be coprime, trials with a common factor are omitted.
   template <class F>
   void each(std::int64_t from, std::int64_t to, const F& f) const {
     if (from >= to) return;
@@ -41,7 +40,7 @@ class SearchSpace {
     }
   }
 
-  /// The least and the greatest z2 of all pairs, with signs; {0, 0} if there is no pair.
+  /// Returns the least and the greatest z2 of all pairs, with signs, or {0, 0} if there is no pair.
   std::array<int, 2> wheels() const { return wheels_; }
 
  private:
@@ -64,14 +63,14 @@ class SearchSpace {
     int z1, first, last;  ///< first and last z2
   };
   std::vector<Wheels> pinions_;              ///< pinions that have at least one wheel
-  std::vector<std::int64_t> before_pinion_;  ///< for each pinion, the number of trials of one
-                                             ///< module that have a smaller z1
+  std::vector<std::int64_t> before_pinion_;  ///< for each pinion, the number of trials with a
+                                             ///< smaller z1 and one given module
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
   std::array<int, 2> wheels_{};
 };
 
-/// The first and the last z2 for a given z1; first > last if there is none.
+/// Returns the first and the last z2 for a given z1. If the first exceeds the last, there is no z2.
 std::array<int, 2> wheels_of(const SearchProblem& problem, int z1);
 
 }  // namespace gearwright

@@ -53,12 +53,12 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// The form clearance c_F is a least distance along the line of action. The distance is measured
-// from the start of a flank to the point of the flank that the mating gear's tip touches. The
-// conditions are ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a given sum of the profile shifts,
-// each condition has the form w q(u) ≤ c + s u. Here, u is the tip radius of the mating gear, and q
-// is the curvature radius of the mating gear's flank at its tip. Squaring the condition gives a
-// quadratic in u. For an external pair, the condition is violated between the roots. [T9.9]
+// c_F is the form clearance, a distance along the line of action. It is measured from the start of
+// a flank to the point of this flank that the mating tip touches. The conditions are ρ_1A ≥ ρ_F1 +
+// c_F and ρ_2E ≥ ρ_F2 + c_F. For a given sum of the profile shifts, each condition has the form w
+// q(u) ≤ c + s u. Here, u is the tip radius of the mating gear, and q is the curvature radius of
+// the mating flank at its tip. Squaring the condition gives a quadratic in u. For an external pair,
+// the condition is violated between the roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -89,21 +89,20 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  // If disc < 0, the condition is met nowhere, and the lower end is greater than the upper end.
-  // If disc = 0, the ends coincide. The width of the interval is therefore a continuous
-  // function of Σ.
+  // If disc < 0, no value meets the condition, and the lower end exceeds the upper end. If disc =
+  // 0, the ends coincide. The width of the interval is therefore a continuous function of Σ.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
   raise(lo_2, middle - half);
   lower(hi_1, middle + half);
 }
 
-// The range of the shift of gear i in which its usable flank is long enough. The usable flanks
-// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The length of the path clipped to the usable flanks must
-// be at least K. This requires w_1 q_1 − f_1 ≥ K, w_2 q_2 − f_2 ≥ K and N − f_1 − f_2 ≥ K. This
-// function solves the condition of gear i. If f_1, f_2 > 0, the third condition depends on Σ
-// alone (sum_margin). For an internal gear, there is no bound, because the start of its flank
-// is unknown. [T9.7]
+// Returns the range of the shift of gear i for which its usable flank is long enough. The usable
+// flanks begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to the usable flanks must have at
+// least the length K. This gives three conditions: w_1 q_1 − f_1 ≥ K, w_2 q_2 − f_2 ≥ K and N − f_1
+// − f_2 ≥ K. This function solves the condition of gear i. If f_1, f_2 > 0, the third condition
+// depends on Σ alone (sum_margin). An internal gear has no bound, because the start of its flank is
+// unknown. [T9.7]
 std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const TrialGear& g = gears_[i];
   if (g.teeth < 0) return {-kInfinity, kInfinity};
@@ -111,8 +110,8 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const double path = min_path_ / weight_[i];
   double least = radius_of(path, g.r_b);
   double most = kInfinity;
-  // The condition q(u) ≥ s u + c for the tip radius u holds between the roots. If s u + c < 0 at
-  // the base circle, the condition holds from the base circle up to the greater root.
+  // The condition for the tip radius u is q(u) ≥ s u + c. It holds between the roots. If s u + c <
+  // 0 at the base circle, it holds from the base circle up to the greater root.
   const double s = 1.0 / g.sin_transverse;
   const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
   const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
@@ -187,8 +186,8 @@ ShiftSlice ShiftBounds::slice() const {
   ShiftSlice s{{-kInfinity, kInfinity}, ShiftEdge::mesh, ShiftEdge::mesh};
   s.lo = *std::max_element(lo.begin(), lo.end());
   s.hi = *std::min_element(hi.begin(), hi.end());
-  // If several bounds coincide, the name of the first one is used. The bounds of the clipped
-  // path and of interference, for example, can coincide.
+  // If several bounds coincide, the name of the first one is used. For example, the bounds of the
+  // clipped path and of interference can coincide.
   const auto first = [](const auto& bounds, double value) {
     const auto at = std::find_if(bounds.begin(), bounds.end(), [value](double bound) {
       return bound == value || std::abs(bound - value) <= kOneBound;

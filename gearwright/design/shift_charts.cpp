@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The problem in which the tip thickness is the only limit of the shifts.
+// Returns the problem with the tip thickness as the only limit of the shifts.
 SearchProblem with_tip(const SearchProblem& problem, double thickness) {
   SearchProblem asked = problem;
   asked.limits.min_shift.reset();
@@ -60,8 +60,8 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
                                                   Angle helix, int from, int to) {
-  SearchProblem free = problem;  // the problem without a centre distance and with the same rack for
-                                 // both gears
+  SearchProblem free = problem;  // the problem without a centre distance, with one rack for both
+                                 // gears
   free.center_distance.reset();
   free.shaft_angle.reset();
   free.ratio = {1.0, 1.0};
@@ -69,7 +69,8 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
   free.racks[0].flank_depth[1] = free.racks[0].flank_depth[0];
-  free.limits.contact_ratio = 0.0;  // with this limit, only a working pressure angle is required
+  free.limits.contact_ratio = 0.0;  // the only remaining condition is that a working pressure angle
+                                    // exists
 
   std::vector<IdenticalGears> chart;
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {

@@ -6,8 +6,8 @@
 //                                              theory: docs/theory/09-design-search.md
 //
 // The charts show where good designs exist before any design is computed. For gears with few teeth,
-// the range between undercut and pointed tips is small, and so is the contact ratio. Limits are
-// computed by trial_gear() and contact ratios by row_at(), as in the search.
+// the range between undercut and pointed tips is small, and the contact ratio is also small. As in
+// the search, trial_gear() computes the limits, and row_at() computes the contact ratios.
 #pragma once
 
 #include <array>
@@ -28,11 +28,11 @@ struct ShiftLimits {
   double undercut = 0.0;        ///< x_u
   std::array<double, 3> tip{};  ///< x_t for each of kChartTips
   double min = 0.0, max = 0.0;  ///< least and greatest shift that the limits of the problem permit;
-                                ///< if min > max, no shift is possible
+                                ///< if min > max, none is possible
 };
 
-/// The limits of gear `which` (0 or 1) with its rack and the given helix angle, for all numbers of
-/// teeth from `from` to `to`.
+/// Returns the limits of gear `which` (0 or 1) with its rack and the given helix angle, for all
+/// numbers of teeth from `from` to `to`.
 ///
 /// Domain    1 ≤ from ≤ to (contract)
 /// Accuracy  1e-12 modules for 7 … 100 teeth
@@ -40,7 +40,7 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
                                            int which, int from, int to);
 
 /// The point of the chart at which the curve of x_u intersects the curve of x_t for
-/// kChartTips[tip]. Absent if the curves do not intersect.
+/// kChartTips[tip]. There is no such point if the curves do not intersect.
 ///
 /// Accuracy  0.01 teeth, because chords replace the curves between whole numbers of teeth
 struct LimitsMeet {
@@ -53,10 +53,10 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 struct IdenticalGears {
   ShiftLimits limits;
   std::array<std::optional<double>, 5>
-      contact_ratio;  ///< ε_α; absent if there is no working pressure angle or no possible shift
+      contact_ratio;  ///< ε_α; absent without a working pressure angle or a possible shift
 };
-/// Pairs of identical gears with the rack of gear 1 and opposite hands, on parallel axes. The gears
-/// are mounted as the problem specifies, at the centre distance that follows from their shifts.
+/// Returns pairs of identical gears with the rack of gear 1 and opposite hands, on parallel axes.
+/// The problem gives the kind of mounting. The centre distance follows from the shifts.
 ///
 /// Domain    1 ≤ from ≤ to (contract)
 /// Accuracy  1e-12, absolute

@@ -18,9 +18,9 @@ using detail::raise;
 
 namespace {
 
-// Relative amount by which the least centre distance exceeds the sum of the base radii. At this
-// centre distance, the working pressure angle is 4e-5 rad. At smaller distances, double precision
-// is insufficient to decide whether the gears mesh.
+// Least relative excess of the centre distance over the sum of the base radii. At this excess, the
+// working pressure angle is 4e-5 rad. At smaller distances, double precision is not sufficient to
+// decide whether the gears mesh.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace
@@ -106,8 +106,8 @@ double ShiftGraph::sum_of_distance(double distance) const {
   return (involute(alpha_w) - inv_alpha_t_) * teeth_sum_ / (2.0 * tan_alpha_);
 }
 
-// The range of Σ that follows from the limits with a closed form. The corners of the rectangle
-// of shifts do not limit this range.
+// Returns the range of Σ that follows from those limits that have a closed form. The corners of the
+// rectangle of shifts are not included.
 ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
   const auto from_below = [&](double sum, ShiftEdge edge) {
@@ -116,17 +116,16 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto from_above = [&](double sum, ShiftEdge edge) {
     if (sum < s.hi) s.hi = sum, s.hi_edge = edge;
   };
-  // For an internal pair, the centre distance decreases as Σ increases. A lower limit of the
-  // distance is therefore an upper limit of Σ.
+  // For an internal pair, the centre distance decreases as Σ increases, so a lower limit of the
+  // distance is an upper limit of Σ.
   const auto not_nearer = [&](double sum, ShiftEdge edge) {
     internal_ ? from_above(sum, edge) : from_below(sum, edge);
   };
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // Without a working pressure angle, there is no contact ratio. Sums without a working
-  // pressure angle are therefore excluded as soon as the limit of the contact ratio is
-  // evaluated.
+  // Without a working pressure angle, there is no contact ratio. If the limit of the contact ratio
+  // is evaluated, sums without a working pressure angle are therefore excluded.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
@@ -135,8 +134,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
-    // No sum of shifts gives a backlash-free pair at a centre distance below the sum of the
-    // base radii.
+    // If the centre distance is less than the sum of the base radii, no sum of shifts gives a
+    // backlash-free pair.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
     not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
@@ -152,8 +151,8 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax)
     return s;  // no Σ meets the upper limit of the centre distance
-  // The corners of the rectangle of shifts limit the range, too. A corner is a point, so no
-  // edge is named.
+  // The corners of the rectangle of shifts limit the range, too. A corner is a point and belongs to
+  // no edge, so no edge is named.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
@@ -165,10 +164,10 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   return s;
 }
 
-// Finds a sum at which every path is shorter than K, because the tips are shortened by k. The
-// same is true for all greater sums, because k decreases. On a line Σ = const, the path length E
-// has its maximum √((a + h_a1 + h_a2 + k)² − B²) − N where both tip pressure angles are equal.
-// [T9.6]
+// Returns a sum at which every path is shorter than K because the tips are shortened by k. All
+// greater sums also have this property, because k decreases further. On a line Σ = const, the path
+// length E has its maximum √((a + h_a1 + h_a2 + k)² − B²) − N at the point with equal tip pressure
+// angles. [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
   if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
@@ -180,8 +179,8 @@ double ShiftGraph::beyond_long_paths(double sum) const {
   }
 }
 
-// The sum above which the tips are too thin, although they are shortened by k. If 60 steps do not
-// find this sum, the sum of the last step is returned.
+// Returns the sum above which the tips are too thin, in spite of the shortening by k. If 60 steps
+// do not find this sum, the function returns the sum of the last step.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
   constexpr double kBeyond = 1e-9;     // modules, bound for the sum of all further increases
@@ -195,9 +194,8 @@ double ShiftGraph::beyond_thin_tips(double sum, double least) const {
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
-  // ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with a signed N. In
-  // this form, the derivative with respect to x1 is the sum of the derivatives of two square
-  // roots.
+  // The length is ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with a signed
+  // N. In this form, its derivative with respect to x1 is a sum of derivatives of two square roots.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
   return weight_[0] * curvature(u_1, gears_[0].r_b) +
@@ -242,9 +240,9 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// Returns the x1 at which the length E of the path of contact equals its lower limit K. This x1 is
-// between `bound` and the x1 of the longest path. It is absent if the path is long enough at
-// `bound`. It is also absent if `bound` is not on the given side of the longest path.
+// Returns the x1 at which the length E of the path of contact equals its lower limit K. This x1
+// lies between `bound` and the x1 of the longest path. The result is absent if the path is long
+// enough at `bound`, or if `bound` is not on the given side of the longest path.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;
@@ -257,8 +255,8 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
                                    weight_[1], side_of(trial_.z2));
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
-  // For an external pair, E is concave, so Newton steps from a bound towards the root never pass
-  // the root. For an internal pair, E may be convex, so the steps are limited to a bracket.
+  // For an external pair, E is concave, so Newton steps from a bound never pass the root. For an
+  // internal pair, E may be convex, so a bracket limits the steps.
   return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
                : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
 }
@@ -269,8 +267,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // Here, at most one x1 has a path that is long enough. The result is an interval of zero or
-    // negative width at the x1 of the longest path.
+    // At most one x1 on this line has a path that is long enough. The result is an interval at the
+    // x1 of the longest path, with the width zero or a negative width.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

@@ -1,5 +1,5 @@
-// Computes the s1–s2 graph of a pair of gears with given numbers of teeth. The graph contains the
-// ranges of the two profile shifts that meet all limits.
+// Computes the s1–s2 graph of a pair of gears with given numbers of teeth. The graph is the set of
+// all pairs of profile shifts that meet all limits.
 //
 //   Σ = x1 + x2     sum of shifts. Centre distance, working pressure angle and tip alteration
 //                   depend on Σ alone. On a line Σ = const, every limit leaves one interval of x1
@@ -9,11 +9,11 @@
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// All values are in normal modules with ISO 21771 signs, so the same formulas hold for
-// external, internal and crossed pairs. Every bound is the solution of an equation. If section
-// 9.4 does not prove that there is only one interval of Σ, a search from nodes finds the
+// All values are in normal modules with ISO 21771 signs, so the same formulas hold for external,
+// internal and crossed pairs. Every bound is the solution of an equation. Section 9.4 proves in
+// which cases there is only one interval of Σ. In other cases, a search from nodes finds the
 // intervals. If interference is excluded, external gears with tips inside their own reference
-// circle are excluded too.
+// circle are also excluded.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@
 namespace gearwright {
 
 /// Upper limit of the second derivatives of margins with respect to Σ, 1/modules. The greatest
-/// second derivatives, those of the interference bounds, are a few 1/modules. A greater limit
-/// does no harm, because it only makes a search end later.
+/// actual values are a few 1/modules, for the interference bounds. A higher limit only makes a
+/// search end later.
 inline constexpr double kMostBend = 100.0;
 
 /// The limit that defines a part of the boundary.
@@ -49,14 +49,14 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// For example "s1min" or "Cmax". Beyond an edge with the name "mesh", there is no working
-/// pressure angle.
+/// Returns the name of an edge, for example "s1min" or "Cmax". Beyond an edge with the name "mesh",
+/// there is no working pressure angle.
 std::string_view name(ShiftEdge edge);
-/// Tolerance, modules, within which two limits count as touching. The tolerance is needed because a
-/// centre distance divided by a module has a rounding error.
+/// Two limits count as touching within this tolerance, modules. The tolerance is necessary, because
+/// a centre distance divided by a module has a rounding error.
 inline constexpr double kTouching = 1e-11;
-/// Bounds of x1 count as equal if they differ by less than this value, modules. Otherwise, rounding
-/// errors would determine which limit is named.
+/// Bounds of x1 count as equal if they differ by less than this value, modules. Without this
+/// tolerance, rounding errors would determine which limit is named.
 inline constexpr double kOneBound = 1e-12;
 /// The interval of x1 on a line Σ = const, which is empty if lo > hi + kTouching.
 struct LineEnds {
@@ -71,8 +71,7 @@ enum class LineSide { lo, hi };
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
 };
-/// The lower and upper bound of x1 that each limit imposes. If a limit imposes no bounds, its
-/// bounds are ∓∞.
+/// The lower and upper bound of x1 due to each limit. If a limit has no bounds, the values are ∓∞.
 struct ShiftBounds {
   std::array<double, kShiftEdges> lo, hi;
   ShiftBounds() {
@@ -103,10 +102,12 @@ class ShiftGraph {
   const SearchProblem& problem() const { return *problem_; }
   double min_path() const { return min_path_; }  ///< K
   double pitch() const { return pitch_; }        ///< p_bt; p_bn on crossed axes
-  /// Length along the line of action divided by its length in the transverse section of a gear.
+  /// Returns the ratio of a length along the line of action to its projection on the transverse
+  /// section of a gear.
   double weight(std::size_t gear) const { return weight_[gear]; }
   double overlap_of(double face) const;  ///< ε_β of a face width in modules; 0 on crossed axes
-  /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
+  /// Returns the values that depend on Σ alone.   Domain: within sums() (contract: a working angle
+  /// exists)
   SumPlace place(double sum) const;
   /// The range of Σ that the first `limits` limits permit. Limits that depend on x1 are ignored.
   struct Sums {
@@ -117,50 +118,50 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// The smallest margin, in units of Σ, of the limits that depend on Σ alone and whose range of Σ
-  /// has no closed form. These limits are met if the margin is ≥ 0.
+  /// Some limits depend on Σ alone, but have no closed form of their range of Σ. This is the
+  /// smallest margin of these limits, in units of Σ. They are met if the margin is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
   };
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// All bounds of x1 on a line Σ = const, except the bound of the path length.
+  /// Returns all bounds of x1 on a line Σ = const, except the bound of the path length.
   ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
     return bounds_before_path(place(sum), sum, limits);
   }
-  /// The interval of x1 on a line Σ = const, including the limit of the path length.
+  /// Returns the interval of x1 on a line Σ = const, including the limit of the path length.
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
-  /// One end of slice(), without the name of its limit, for the integral of the area.
+  /// Returns one end of slice(), without the name of its limit. The integral of the area uses it.
   double slice_end(double sum, LineSide side) const;
-  /// The ends of the interval that bounds_before_path() leaves, without the names of their
-  /// limits, which are needed only for few lines.
+  /// Returns the ends of the interval between the bounds of bounds_before_path(), without the names
+  /// of the limits. The names are needed only for few lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
-  /// E, the length of the path at a point.
+  /// Returns E, the length of the path at a point.
   double path_length(const SumPlace& at, double sum, double x1) const;
   struct Longest {
     double x1, length;
   };
-  /// The greatest E on a line Σ = const, and the x1 at which it occurs.
+  /// Returns the greatest E on a line Σ = const, and its x1.
   Longest longest_path(const SumPlace& at, double sum, const LineEnds& within) const;
-  /// The sums Σ for which the first `limits` limits leave an interval of x1. There are several
-  /// intervals of Σ only if the region consists of several pieces.
+  /// Returns the sums Σ for which the first `limits` limits leave an interval of x1. If the region
+  /// consists of several pieces, there may be several intervals of Σ.
   std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
-  /// True if feasible_sums() would find a sum. In this case, this function is usually faster
-  /// than feasible_sums().
+  /// True if feasible_sums() finds a sum. If it does, this function is usually faster than
+  /// feasible_sums().
   bool has_feasible_sums(int limits = kRegionLimits) const;
-  /// The limits are applied in the order of the enum Limit. This is the first limit that leaves no
-  /// region. Empty if a region remains.
+  /// Returns the first limit that leaves no region, or none if a region remains. The limits are
+  /// applied in the order of the enum Limit.
   std::optional<Limit> what_kills() const;
-  /// The smallest margin of all limits at a point, modules, computed from the same bounds as
-  /// the slices. The point is inside the region if the margin is ≥ 0. If Σ lies outside sums(),
-  /// the margin is minus the distance of Σ from that range. Within sums(), the margin is −1 if
-  /// the overlap ratio is too small.
+  /// Returns the smallest margin of all limits at a point, modules, computed from the same bounds
+  /// as the slices. The point is inside the region if the margin is ≥ 0. If Σ lies outside sums(),
+  /// the margin is −1 times the distance of Σ from sums(). If Σ lies within sums() and the overlap
+  /// ratio is too small, the margin is −1.
   double margin(double x1, double x2) const;
-  /// For each shift, the range that follows from the limits that do not depend on the other shift.
-  /// If tips are shortened, limits that depend on the tip are omitted.
+  /// Returns, for each shift, the range that follows from the limits of this shift alone. If tips
+  /// are shortened, limits that depend on the tip are omitted.
   std::array<Interval, 2> shift_limits() const;
-  /// The distance of a point from the nearest border: the same as margin(), but without the
+  /// Returns the distance of a point from the nearest border. The result is margin() without the
   /// band of centre distances. The ends of this band do not count as borders, because the user
   /// chooses them.
   ///

@@ -28,8 +28,8 @@ CandidateConstants constants_of(const ShiftGraph& graph) {
 
 enum class Verdict { inside, outside, ask };
 
-// Compares one candidate with all limits. If a value is NaN, the candidate is undecided, and
-// the graph must decide.
+// Compares one candidate with all limits. If a value is NaN, the filter cannot decide, and the
+// graph must decide.
 Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i) {
   bool ask = false;
   bool out = false;
@@ -43,8 +43,8 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
   const auto at_least = [&](CandidateBatch::Out column, double limit) {
     compare(b.out[column][i] - limit, kSieveDoubt);
   };
-  // The error of tan α_wt is the residual of inv α_wt divided by tan² α_wt, because the
-  // derivative of inv α is tan² α.
+  // The residual of inv α_wt divided by tan² α_wt is the error of tan α_wt, because the derivative
+  // of inv α is tan² α.
   const double tan_w = b.out[CandidateBatch::tan_working][i];
   if (!(b.out[CandidateBatch::residual][i] < 0.01 * kSieveDoubt * tan_w * tan_w)) ask = true;
   at_least(CandidateBatch::contact_ratio, limits.contact_ratio);
@@ -62,7 +62,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
   if (limits.sliding)
     compare(*limits.sliding - b.out[CandidateBatch::sliding][i],
             kSieveDoubt * (1.0 + *limits.sliding));
-  // A candidate that one limit rejects is outside, even if another limit is undecided.
+  // If one limit rejects a candidate, the candidate is outside, even if another limit is undecided.
   return out ? Verdict::outside : ask ? Verdict::ask : Verdict::inside;
 }
 
@@ -103,8 +103,8 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
       const double x1 = batch.in[CandidateBatch::x1][i];
       const double x2 = batch.in[CandidateBatch::x2][i];
       Verdict verdict = p.crossed() ? Verdict::ask : judge(p.limits, batch, i);
-      // The region excludes tips inside their own reference circle (section 9.3). The graph
-      // therefore decides about such points.
+      // The region excludes tips inside their own reference circle (section 9.3). The batch does
+      // not check this, so the graph decides about such points.
       const double low = std::min(g[0].addendum + x1, g[1].addendum + x2) + graph.place(x1 + x2).k;
       if (p.limits.avoid_interference && low < 0.0 && verdict == Verdict::inside)
         verdict = Verdict::ask;

@@ -1,12 +1,12 @@
-// Computes a table of the feasible points of a grid of shifts.
+// Lists the feasible points of a grid of shifts.
 //
 //   h           step of the grid; x1 = i h, x2 = j h
 //   candidate   a grid point within the shift limits of both gears and within the range of Σ
 //
-// Vector code (design/candidate.hpp) computes the values that are compared with the limits. If
-// a value is within kSieveDoubt of its limit, or if the axes are crossed, the graph decides.
-// The values in the table are computed with the scalar formulas of the pair, so the table is
-// the same on every machine.
+// Vector code (design/candidate.hpp) computes the values that are compared with the limits. If a
+// value is within kSieveDoubt of its limit, or if the axes are crossed, the graph decides. The
+// values in the list come from the scalar formulas of the pair, so the list is the same on every
+// machine.
 #pragma once
 
 #include <array>

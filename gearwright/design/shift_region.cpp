@@ -35,11 +35,11 @@ ShiftEdge edge_of(const ShiftSlice& s, Side side) {
 }
 double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
 
-// The difference between the bounds of x1 that the edges a and b impose at a given Σ.
+// Returns the difference between the bounds of x1 that belong to the edges a and b at a given Σ.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
-  // If an edge imposes no bound, its value is infinite. This value is replaced by a large number,
-  // because the root finder requires finite values.
+  // If an edge imposes no bound, its value is infinite. A large number replaces this value, because
+  // the root finder requires finite values.
   constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
     const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
@@ -53,24 +53,24 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// Greatest number of corners of a side. More corners are found only if two bounds are equal except
-// for rounding.
+// Greatest number of corners of a side. More corners occur only if two bounds are equal except for
+// rounding.
 constexpr std::size_t kMaxChanges = 40;
-// Relative difference of two sums that have no double between them.
+// Relative difference of two sums between which there is no other double.
 constexpr double kSameSum = 4e-16;
-// The edges are compared at a distance from a corner. The distance is kBeside times the interval,
-// but at least kMinBeside, modules. kMinBeside must exceed kOneBound, because two bounds that
-// differ by less than kOneBound have the same name.
+// Edges are compared beside a corner, at the distance kBeside times the interval, but at least
+// kMinBeside, modules. kMinBeside must exceed kOneBound, because bounds that differ by less than
+// kOneBound have the same name.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
-// At an end of a piece, several edges meet. At this distance from the end, relative to the
-// width of the piece, the edge is unique.
+// Several edges meet at an end of a piece. At this distance from the end, relative to the width of
+// the piece, the edge is unique.
 constexpr double kInset = 1e-7;
-// Tolerance, modules, within which the end of a piece counts as the end of the whole range. The
-// two ends are computed separately, so they may differ by rounding errors.
+// Tolerance, modules. Within it, the end of a piece counts as the end of the whole range. Both ends
+// are computed separately, so they may differ by rounding errors.
 constexpr double kSameRegionEnd = 1e-9;
-// Adds those sums between l and r at which the edge of the side changes. at_l and at_r are the
-// edges at l and r.
+// Adds the sums between l and r at which the edge of the side changes. at_l and at_r are the edges
+// at l and r.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
   if (at_l == at_r) return;
@@ -132,8 +132,8 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
 }
 
 // Maps an angle to a sum between `from` and `to`. If the two x1 with E = K coincide at an end, x1
-// is proportional to the square root of the distance from this end. As a function of the angle, x1
-// is smooth.
+// varies with the square root of the distance from this end. As a function of the angle, however,
+// x1 is smooth.
 double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }
@@ -142,8 +142,8 @@ double sum_at(double from, double to, double theta) {
 // square root, three bisections add seven correct digits.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // modules², for the area under one stretch of a side
-// Rounding error of a bound of x1, relative to the two radii whose difference is the bound. With a
-// smaller tolerance of the integral, rounding errors would cause repeated bisections.
+// Rounding error of a bound of x1, relative to the two radii whose difference is the bound. If the
+// tolerance of the integral were smaller, rounding errors would cause repeated bisections.
 constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
@@ -171,12 +171,12 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
 }
 
 // If both ends of a slice are roots of the same limit, and the slice is narrower than this,
-// modules, it counts as a point. Where two roots coincide, their error is the square root of
-// the rounding error of Σ.
+// modules, the slice counts as a point. At coinciding roots, the error of a root is the square root
+// of the rounding error of Σ.
 constexpr double kPinch = 2e-6;
-// A slice at an end of a piece. If the limit of the path length determines both ends of the
-// slice, the slice is replaced by the point with the longest path. This point is exact except
-// for rounding, but the error of the two ends would be the square root of the rounding error.
+// Returns a slice at an end of a piece. If the limit of the path length determines both ends of the
+// slice, the point with the longest path replaces the slice. This point is exact except for
+// rounding. The error of the two ends would be the square root of the rounding error.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
@@ -188,7 +188,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// The smallest margin at a point, over the bounds of x1 and the path length. The sum Σ of the point
+// Returns the smallest margin at a point over the bounds of x1 and the path length. Σ of the point
 // must lie within the range of a piece.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
@@ -198,7 +198,7 @@ double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
 
-// Appends an edge to a loop. If the last edge of the loop has the same name, the two are joined.
+// Appends an edge to a loop. If the last edge of the loop has the same name, both edges are joined.
 void append(std::vector<RegionEdge>& loop, RegionEdge next) {
   if (!loop.empty() && loop.back().edge == next.edge) {
     auto& points = loop.back().points;

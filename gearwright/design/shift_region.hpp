@@ -24,10 +24,9 @@ struct RegionEdge {
   std::vector<Vec2>
       points;  ///< both ends of a straight edge, or points on a curve including its ends
 };
-/// `whole` if the area of the region is computed, and `point` if the area is omitted.
+/// `whole` computes the area of the region, and `point` omits the area.
 enum class RegionDetail { point, whole };
-/// `sought` if point_off_walls() is to be computed; `none` if it is known that there is no such
-/// point.
+/// `sought` computes point_off_walls(). `none` states that such a point does not exist.
 enum class OffWalls { sought, none };
 
 struct ShiftRegion {
@@ -38,44 +37,45 @@ struct ShiftRegion {
   Vec2 lo, hi;
   double area = 0.0;                    ///< computed only with RegionDetail::whole
   std::vector<Interval> balanced_sums;  ///< Σ of the feasible points on the line of Eq. 11
-  std::optional<Vec2> balanced;         ///< the feasible point of this line with Σ nearest 0
+  std::optional<Vec2> balanced;         ///< the point of balanced_sums with Σ nearest 0
   std::optional<Vec2> off_walls;        ///< point_off_walls()
 };
-/// The region of a graph; absent if no point is feasible.
+/// Returns the region of a graph, or none if no point is feasible.
 ///
 /// Accuracy  ends and corners are exact except for rounding; the area is accurate to 1e-12
 std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
 
-/// The desired distance of a design from the borders of its region, modules. At a border, a
-/// limit is only just met. If no point on the line of balanced strength keeps this distance,
-/// half of the greatest distance on the line is used. The band of centre distances does not
-/// count as a border.
+/// The desired distance of a design from the borders of its region, modules. At a border, a limit
+/// is only just met. If no point on the line of balanced strength has this distance, half of the
+/// greatest distance on the line is used. The band of centre distances does not count as a border.
 inline constexpr double kWallDistance = 0.05;
-/// Returns the point on the line of balanced strength with Σ nearest 0 that keeps the distance
-/// kWallDistance from the borders. If no point of the line keeps this distance, half of the
-/// greatest distance is required instead. Absent if all points of the line lie at a border or
-/// outside the region. If interference is permitted, no distance is required, and the result is
-/// absent if the point with Σ nearest 0 lies at a border or outside the region. The caller then
-/// uses ShiftRegion::balanced, if that point exists. If Σ = 0 is feasible, all limits are usually
-/// evaluated only once.
+/// Returns the point on the line of balanced strength with Σ nearest 0 whose distance from the
+/// borders is at least kWallDistance. If no point of the line has this distance, half of the
+/// greatest distance is required instead. The result is absent if all points of the line lie at a
+/// border or outside the region.
+///
+/// If interference is permitted, no distance is required. The result is then absent if the point
+/// with Σ nearest 0 lies at a border or outside the region, and the caller uses
+/// ShiftRegion::balanced if it exists. If Σ = 0 is feasible, all limits are usually evaluated only
+/// once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
-/// True if the line of balanced strength is certainly infeasible between the sums a and b,
-/// because it violates a limit of x1 or x2 alone. In this case, no point of the line needs to
-/// be evaluated.
+/// True if the line of balanced strength is certainly infeasible between the sums a and b. The
+/// reason is that it violates a limit of x1 or x2 alone. No point of this part of the line must
+/// then be evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
-/// The boundary of each piece of the region, counter-clockwise. If only one centre distance is
-/// possible, the boundary is a segment that is traversed in both directions.
+/// Returns the boundary of each piece of the region, counter-clockwise. If only one centre distance
+/// is possible, the boundary is a segment that is traversed in both directions.
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
-/// The point of a design: `off_walls` if present, otherwise `balanced` if present, otherwise
-/// middle_point().
+/// Returns the point of a design. This is `off_walls`, or `balanced` if `off_walls` is absent, or
+/// middle_point() if both are absent.
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
 /// Returns the middle between lo and hi if the region is one piece and this middle is far enough
-/// from the borders. Otherwise, takes the longest piece of the region and returns the middle of its
-/// slice at its mean Σ.
+/// from the borders. Otherwise, the function returns a point of the longest piece, the middle of
+/// the slice at the mean Σ of this piece.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The point on the line of balanced strength (Eq. 11) with the given sum Σ.

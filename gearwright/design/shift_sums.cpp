@@ -1,4 +1,5 @@
-// Computes the sums of shifts that meet all limits, and the first limit that no sum meets.
+// Computes the sums of shifts that meet all limits. If there is no such sum, computes the first
+// limit that no sum meets.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 
@@ -25,9 +26,9 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
   const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
   const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
-  // For an internal pair, the interference limit may leave ranges on both sides of Σ = 0
-  // [T9.9]. Both sides of 0 are searched separately, because the gap between these ranges may
-  // be narrower than the distance of the nodes.
+  // For an internal pair, the interference limit may leave ranges on both sides of Σ = 0 [T9.9].
+  // Both sides of 0 are searched separately, because the gap between the ranges may be narrower
+  // than the distance between nodes.
   const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
                            limits > static_cast<int>(Limit::interference);
   const Hump hump{.bend = kMostBend};
@@ -49,8 +50,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     if (!pieces.empty()) return pieces;
     return beside_zero([&](double sum) { return f(sum) + kTouching; });
   };
-  // `wide` contains the sums with an interval of x1 that meets all limits except that of the
-  // path length. A sum in `wide` is feasible if its longest path is long enough.
+  // `wide` contains the sums for which an interval of x1 meets all limits except that of the path
+  // length. Such a sum is feasible if its longest path is long enough.
   const auto wide = exactly_or_touching(width, range.lo, range.hi);
   if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
   std::vector<Interval> found;
@@ -116,8 +117,7 @@ bool ShiftGraph::overlap_ratio_is_enough() const {
   return overlap_of(most / trial_.module) >= *problem_->limits.overlap_ratio - kTouching;
 }
 
-// For an external pair, the clearance is at most the clearance of the racks, because a − R − Σ ≤ 0.
-// [T9.5]
+// For an external pair, a − R − Σ ≤ 0, so the clearance is at most that of the racks. [T9.5]
 bool ShiftGraph::tip_clearance_can_be_enough() const {
   if (internal_ || !problem_->limits.tip_clearance) return true;
   const double most =

@@ -11,7 +11,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// A knob for the face width: the greatest width of a band, or the given width.
+// Makes a Knob for the face width. It changes the greatest width of a band, or the given width.
 Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchProblem::*member,
                 const std::array<double, 2>& band, double far) {
   const bool one = band[0] == band[1];
@@ -30,8 +30,8 @@ Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchPr
 
 void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   GW_EXPECTS(p.rating.has_value());
-  constexpr double kLightest = 1e-3;  // fraction of the given load; a proposal to reduce the load
-                                      // even further would not be useful
+  constexpr double kLightest = 1e-3;  // fraction of the given load; to propose an even smaller load
+                                      // would not be useful
   add_limit(p, k, "limits.safety_flank", &SearchLimits::safety_flank, 0.0);
   add_limit(p, k, "limits.safety_root", &SearchLimits::safety_root, 0.0);
   const double torque = p.rating->input.torque;

@@ -1,5 +1,5 @@
-// Lists the changes that can give a rated design sufficient safety factors: lower required safety
-// factors, a smaller load, a wider face or a stronger steel. Internal to design/.
+// Lists the changes that can give a rated design sufficient safety factors. These are lower
+// required safety factors, a smaller load, a wider face and a stronger steel. Internal to design/.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace gearwright::detail {
 
 inline std::string shown(double v) { return fmt::format("{:.10g}", v); }
 
-/// A number of the problem that can be changed from its present value towards a far end.
+/// A number of the problem that can be changed from its present value `value` towards `far`.
 struct Knob {
   enum class Kind { limit, ratio, teeth };
   std::string field;  ///< the same as NearestChange::field
@@ -26,8 +26,8 @@ struct Knob {
   std::function<std::string(double)> show = [](double v) { return shown(v); };
 };
 
-/// Adds a limit that can be changed towards `far`. If the problem does not have the limit, nothing
-/// is added.
+/// Adds a limit that can be changed towards `far`. If the problem does not have this limit, the
+/// function does nothing.
 template <class Limit>
 void add_limit(const SearchProblem& problem, std::vector<Knob>& knobs, const char* field,
                Limit SearchLimits::*limit, double far, double scale = 1.0) {
@@ -39,11 +39,11 @@ void add_limit(const SearchProblem& problem, std::vector<Knob>& knobs, const cha
 
 /// Adds the numbers on which the safety factors depend.   Domain: designs are rated (contract)
 void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);
-/// Steels of the built-in table that are stronger than the steel of gear 1, weakest first. Empty if
-/// the material is a plastic.
+/// Returns the steels of the built-in table that are stronger than the steel of gear 1, the weakest
+/// first. The list is empty if the material is a plastic.
 std::vector<Material> stronger_steels(const SearchRating& rating);
-/// The design whose safety factors come nearest to the required ones. At most `most_questions`
-/// randomly chosen trials are considered.
+/// Returns the design with the greatest safety factors, compared with the required ones. At most
+/// `most_questions` trials are considered, in random order.
 std::optional<DesignRow> safest_design(const SearchProblem& problem, const SearchWatch& watch,
                                        std::int64_t most_questions);
 

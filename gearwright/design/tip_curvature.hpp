@@ -1,5 +1,5 @@
-// Functions that convert between a tip radius and the curvature radius of the flank at the tip, and
-// functions that tighten bounds. Internal to design/.
+// Converts between a tip radius and the curvature radius of the flank at the tip, and tightens
+// bounds. Internal to design/.
 //
 //   u, b   tip and base radius
 //   q      √(u² − b²), curvature radius of the flank at its tip
@@ -13,10 +13,10 @@
 
 namespace gearwright::detail {
 
-/// q for the tip radius u. If the tip lies inside the base circle, q is 0. The signs of u and b
-/// have no effect.
+/// Returns q for the tip radius u. If the tip lies inside the base circle, q is 0. The signs of u
+/// and b have no effect.
 inline double curvature(double u, double b) { return leaf::curvature_at(std::abs(u), std::abs(b)); }
-/// |u| for the curvature radius q.
+/// Returns |u| for the curvature radius q.
 inline double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }
 
 inline void raise(double& lo, double value) { lo = std::max(lo, value); }

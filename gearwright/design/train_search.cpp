@@ -59,8 +59,7 @@ class TrainSearch {
     const double per_tooth = -before / z1;
     double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
     if (lo > hi) std::swap(lo, hi);
-    // The values are limited before they are converted, because they may exceed the range of
-    // int.
+    // The values are limited before the conversion to int, because they may exceed its range.
     const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
     const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
     const int band = wheels_[static_cast<std::size_t>(z1 - problem_.pinion[0])];
@@ -75,8 +74,8 @@ class TrainSearch {
     result_.rejected[static_cast<std::size_t>(DriveLimit::ratio)] += band - kept;
   }
 
-  // Adds the train and returns 1 if it meets all limits. The ratio is the quotient of two
-  // products of numbers of teeth. The products are exact below 2^53.
+  // Adds the train and returns 1 if it meets all limits. The ratio is a quotient of two products of
+  // numbers of teeth. These products are exact below 2^53.
   int keep() {
     double p = 1.0, q = 1.0, size = 0.0;
     const auto& helix = problem_.base.helix_deg.all;
@@ -104,7 +103,7 @@ class TrainSearch {
   const DriveSearchProblem& problem_;
   DriveSearchResult& result_;
   std::vector<std::array<int, 2>> stages_;
-  std::vector<char> reached_;  // by z_1 + z_2: whether a module gives the required centre distance
+  std::vector<char> reached_;  // by z_1 + z_2: true if a module gives the required centre distance
   std::vector<int> wheels_;    // number of wheels that may mesh with each pinion
   std::int64_t trials_ = 0;
 };
@@ -138,7 +137,7 @@ bool may_reach(const DriveSearchProblem& problem, int sum_of_teeth, double modul
   const double cos_beta = std::cos(Angle::degrees(problem.base.helix_deg.all.value_or(0.0)).rad());
   const double alpha_n = problem.base.normal_pressure_angle.rad();
   const double alpha_t = cos_beta == 1.0 ? alpha_n : std::atan(std::tan(alpha_n) / cos_beta);
-  // Σx depends on z_1 + z_2 only, so this sum and 0 replace the numbers of teeth.
+  // Σx depends only on z_1 + z_2. The arguments z_1 and z_2 can therefore be this sum and 0.
   const double least =
       reference_center_distance(sum_of_teeth, 0, module, cos_beta) * std::cos(alpha_t);
   const auto shift_sum = [&](double a) {
@@ -165,7 +164,7 @@ DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate tr
 void give_stage_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
   std::vector<DriveCandidate> each;
   for (const DriveCandidate& train : result.found) {
-    std::vector<std::vector<double>> choices(1);  // of the modules of the first stages
+    std::vector<std::vector<double>> choices(1);  // lists of the modules of the first stages
     for (const auto& [z1, z2] : train.stages) {
       std::vector<std::vector<double>> longer;
       for (const double m : problem.modules) {

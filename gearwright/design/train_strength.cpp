@@ -59,9 +59,9 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
           std::log(safety.root) + shape.log_load;
     }
     const auto bound = [&](Eigen::Index column, double margin) {
-      // The columns of `terms` may be dependent. For example, if only one z_1 is tried, its
-      // logarithm is the same in all trains. least_squares() then returns the solution of least
-      // norm.
+      // The columns of `terms` may be linearly dependent. For example, if only one z_1 is tried,
+      // its logarithm is the same in all trains. In this case, least_squares() returns the solution
+      // of least norm.
       const Eigen::VectorXd fit = least_squares(terms, logs.col(column));
       const double above = (logs.col(column) - terms * fit).maxCoeff();
       return Fit{fit[0], fit[1], fit[2], fit[3], above + margin};
@@ -93,7 +93,7 @@ double TrainStrength::least_width(const DriveCandidate& candidate, std::size_t s
   // ln κ differs from ln w by a term that does not depend on the width.
   const double intensity = s.log_intensity - s.log_load;
   const auto log_width = [&](const Fit& own, double power, double rest, double safety) {
-    const double slope = power - own.per_load;  // ln S falls by it for each unit of ln w
+    const double slope = power - own.per_load;  // decrease of ln S for each unit of ln w
     if (!(slope > 0.0)) return -kInfinity;
     return s.log_load -
            (own.without_load(s.log_teeth, s.log_ratio) - rest - std::log(safety)) / slope;

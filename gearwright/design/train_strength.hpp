@@ -1,6 +1,6 @@
-// Estimates the greatest safety factors of a train from trains that the same search has already
-// rated. A search uses the estimate to skip the rating of trains that cannot have the required
-// safety factors.
+// Estimates the greatest safety factors of a train from other trains that the same search has
+// already rated. A search uses the estimate to skip the rating of trains that cannot have the
+// required safety factors.
 //
 //   T_k      Π u_j of the earlier stages, which is the torque on the pinion of stage k divided by
 //            the torque on the input
@@ -9,10 +9,10 @@
 //                                              theory: docs/theory/11-rating.md
 //
 // All trains of an estimate have the same module, helix angle, material, load and life. For each
-// stage, ln(S_H √κ) and ln(S_F w) are fitted linearly in ln z_1, ln u and ln w by least squares.
-// These terms cover the factors that change slowly with the numbers of teeth and with the load,
-// such as Z_ε, K_v, K_Hα and Y_F. The bound is the fit plus its greatest residual plus a margin.
-// least_width() uses the fit itself.
+// stage, least squares fit ln(S_H √κ) and ln(S_F w) by linear functions of ln z_1, ln u and ln w.
+// These terms approximate the factors that change slowly with the numbers of teeth and with the
+// load, such as Z_ε, K_v, K_Hα and Y_F. The bound is the fit plus its greatest residual plus a
+// margin. least_width() uses the fit alone.
 #pragma once
 
 #include <vector>
@@ -28,26 +28,27 @@ struct RatedTrain {
   std::vector<Safeties> stages;
 };
 
-/// Margins that are added to the greatest residuals of the fits, in ln S. The margins were
-/// determined with 3000 trains of modules from 1.5 mm to 3 mm. For each module, 64 trains were used
-/// for the fits.
-/// No residual of the other trains exceeded the greatest residual of the fit by more than 0.020
-/// (S_H) or 0.057 (S_F).
+/// Margins, in ln S, that are added to the greatest residuals of the fits. They were determined
+/// with 3000 trains of modules from 1.5 mm to 3 mm. For each module, 64 of the trains were used for
+/// the fits. The residuals of the other trains exceeded the greatest residual of the fit by at most
+/// 0.020 (S_H) and 0.057 (S_F).
 inline constexpr double kFlankMargin = 0.05, kRootMargin = 0.12;
 inline constexpr std::size_t kLeastRatedTrains = 24;
 
 class TrainStrength {
  public:
-  /// If there are no rated trains, may_hold() always returns true.
+  /// Makes an object without rated trains. may_hold() then always returns true.
   TrainStrength() = default;
-  /// Fits the safeties of all stages. Stages that have the same index, counted from the input,
+  /// Fits the safety factors of all stages. Stages with the same index, counted from the input,
   /// share one fit.
   explicit TrainStrength(const std::vector<RatedTrain>& rated);
 
-  /// False if, by the estimate, this stage of the train cannot have the required safeties.
+  /// Returns false if, according to the estimate, this stage of the train cannot have the required
+  /// safety factors.
   bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
-  /// The face width with which this stage has the required safeties by the mean of the fits, mm.
-  /// The width in `candidate` is not used. 0 if the safeties do not depend on the width.
+  /// Returns the face width with which this stage has the required safety factors according to the
+  /// fits, mm. The width in `candidate` is not used. Returns 0 if the safety factors do not depend
+  /// on the width.
   ///
   /// Formula   ln S_H = A + (p − 1/2) ln w and ln S_F = B + (q − 1) ln w, where p and q are the
   ///           coefficients of ln w in the fits; b = T_k/(w z_1) for the smaller w
@@ -56,7 +57,8 @@ class TrainStrength {
                      const Safeties& required) const;
   /// True if there is an estimate for trains with this number of stages.
   bool estimates(std::size_t stages) const { return stages <= stages_.size(); }
-  /// True if, by the estimate, a stage of the train cannot have the required safeties.
+  /// True if, according to the estimate, a stage of the train cannot have the required safety
+  /// factors.
   ///
   /// `candidate`  with the greatest face widths, if the search chooses them
   /// Laws         (1) a train of the fits that has the required safeties is not hopeless

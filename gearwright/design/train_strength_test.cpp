@@ -56,9 +56,9 @@ TEST(TrainStrengthTest, LeavesOutTrainsBeyondTheMargins) {
   }
 }
 
-// Law (1): a train of the estimate that has the required safeties is not hopeless. With scatter,
-// other trains of the same kind do not exceed the bound either, because the margins cover the
-// difference.
+// Law (1): a train from which the estimate was made is not hopeless if it has the required
+// safeties. With scatter, other trains of the same kind are not hopeless either, because the
+// margins cover the difference.
 TEST(TrainStrengthTest, KeepsTrainsWithTheRequiredSafeties) {
   std::mt19937 random(11);
   const std::vector<RatedTrain> rated = law_trains(random, 0.06);

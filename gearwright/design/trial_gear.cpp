@@ -26,12 +26,12 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// The shift at which the tip lies on the base circle. This shift is the smallest possible one of an
-// external gear and the greatest possible one of an internal gear.
+// Returns the shift at which the tip lies on the base circle. This is the smallest possible shift
+// of an external gear and the greatest possible shift of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // The tip thickness is evaluated at this shift. The shift is therefore moved by the rounding
-  // error, so that the tip is certainly outside the base circle.
+  // The tip thickness is evaluated at this shift. The shift is moved by the rounding error, so that
+  // the tip is certainly outside the base circle.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return x + side_of(g.teeth) * ulp;
 }
@@ -41,8 +41,8 @@ struct Shifts {
   bool as_a_rule = false;  // true in the usual case: the tip is thick enough at x = 0 and too thin
                            // at a great x
 };
-// The interval of shifts for which the tip is thick enough. If there are several such intervals,
-// the last one is returned.
+// Returns the interval of shifts for which the tip is thick enough. If there are several intervals,
+// the function returns the last one.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
   // The range of the search. Beyond x = |z|, all tips of external gears are pointed. For an
@@ -55,8 +55,8 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // If the gear has more than about a hundred teeth, even a tip on the base circle, at the
-    // shift `edge`, may be too thin. In this case, the general search below finds the interval.
+    // If the gear has more than about a hundred teeth, even a tip on the base circle, at the shift
+    // `edge`, may be too thin. The general search below then finds the interval.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
@@ -64,8 +64,8 @@ Shifts thick_enough(const TrialGear& g, double k) {
   return {pieces.back().lo, pieces.back().hi, as_a_rule};
 }
 
-// s_an and its derivative with respect to x. The tip must lie outside the base circle of an
-// external gear. [T9.3]
+// Returns s_an and its derivative with respect to x. The tip of an external gear must lie outside
+// the base circle. [T9.3]
 Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   const double u = leaf::tip_radius(g.r, g.addendum, x, k);
   const double roll = leaf::curvature_at(u, g.r_b) / g.r_b;  // tan α_a
@@ -79,9 +79,9 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   return {thickness, slope};
 }
 
-// The upper end of thick_enough() for k < 0. At x = thick_until − k, the tip radius is the same
-// as at thick_until with k = 0, but the tooth is thicker. The end is therefore slightly greater
-// than this x.
+// Returns the upper end of thick_enough() for k < 0. At x = thick_until − k, the tip radius is that
+// of thick_until with k = 0, but the tooth is thicker. The end is therefore slightly greater than
+// this x.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);

@@ -1,5 +1,6 @@
-// Computes one gear of a trial: the limits of its profile shift, and the values that depend only on
-// the number of teeth, the helix angle and the rack. All lengths are in normal modules.
+// Computes one gear of a trial. The results are the limits of its profile shift, and the values
+// that depend only on the number of teeth, the helix angle and the rack. All lengths are in normal
+// modules.
 //
 //   r, r_b    reference and base radius, negative for an internal gear (ISO 21771 signs), so that
 //             |r_a| = |r + h_a + x + k| and the other formulas hold for external and internal gears
@@ -32,29 +33,31 @@ struct TrialGear {
                                       ///< inv α_t for an internal gear
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
-         x_max = 0.0;  ///< the limits of x for k = 0; if x_min > x_max, no x is possible
-  /// The greatest x at which the tip is thick enough, for k = 0. Present only in the usual case,
-  /// which is that the tip of an external gear is thick enough at x = 0 and too thin at a great x.
+         x_max = 0.0;  ///< limits of x for k = 0; if x_min > x_max, no x is possible
+  /// The greatest x at which the tip is thick enough, for k = 0. It is present only in the usual
+  /// case. In this case, the tip of an external gear is thick enough at x = 0 and too thin at a
+  /// great x.
   std::optional<double> thick_until{};
 };
 
-/// The gear and the limits of its shift. The limits follow from undercut (external gears only),
-/// from the tip thickness, from the base circle, which the tip must not enter, and from the
-/// problem.
+/// Returns the gear and the limits of its shift. The limits follow from undercut (external gears
+/// only), from the tip thickness, from the condition that the tip is outside the base circle, and
+/// from the problem.
 ///
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);
 
-/// Normal tip tooth thickness s_an for the shift x and the tip alteration k, modules. If the flanks
-/// intersect below the tip, s_an is negative. [T9.3]
+/// Returns the normal tip thickness s_an for the shift x and the tip alteration k, modules. If the
+/// flanks intersect below the tip, s_an is negative. [T9.3]
 ///
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
-/// The greatest x within the limits for the tip alteration k. If k < 0, it may exceed x_max,
-/// because a shortened tip is thicker. If no x is possible, the result is less than `x_min`.
+/// Returns the greatest x within the limits for the tip alteration k. If k < 0, the result may
+/// exceed x_max, because a shortened tip is thicker. If no x is possible, the result is less than
+/// `x_min`.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
-/// A lower bound of max_shift() that is computed without solving an equation.
+/// Returns a lower bound of max_shift() without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
 /// Stores the gears for all numbers of teeth with one helix angle and rack, because many trials use

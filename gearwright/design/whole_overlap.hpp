@@ -1,10 +1,10 @@
-// Chooses helix angles for whole overlap ratios.
+// Chooses helix angles that give overlap ratios which are whole numbers.
 //
 //   ε_β = b sin β/(π m_n)   overlap ratio
 //
-// If the overlap ratio is a whole number, the total length of the contact lines is constant, so
-// the stiffness of the mesh hardly varies [T9.14]. Drawings show helix angles in hundredths of a
-// degree, so the angle with the required overlap ratio is rounded up to such a number.
+// If the overlap ratio is a whole number, the total length of the contact lines is constant, so the
+// stiffness of the mesh hardly varies [T9.14]. The exact helix angle is rounded up to a hundredth
+// of a degree, because drawings show helix angles in hundredths of a degree.
 //                                              theory: docs/theory/09-design-search.md
 #pragma once
 
@@ -16,21 +16,21 @@
 
 namespace gearwright {
 
-/// The least helix angle, in degrees, that is tried for a whole overlap ratio. At smaller angles,
-/// a hundredth of a degree changes the overlap ratio by more than 1 %.
+/// The least helix angle that is tried for a whole overlap ratio, degrees. At smaller angles, a
+/// hundredth of a degree changes the overlap ratio by more than 1 %.
 inline constexpr double kLeastOverlapHelix_deg = 1.0;
 
-/// The least multiple of 0.01° at which the face width has at least this overlap ratio, in degrees.
-/// None if the face width is too small for this overlap ratio.
+/// Returns the least multiple of 0.01° at which the face width has at least this overlap ratio,
+/// degrees. Returns none if the face width is too small for this overlap ratio.
 ///
 /// Formula   [T9.19]
 /// Units     module and face width in mm
 /// Domain    all numbers > 0
 std::optional<double> overlap_helix_deg(double overlap_ratio, double module, double face_width);
 
-/// The choices for every module of the problem, every face width of its bands and every overlap
-/// ratio, for helix angles of either hand within the band. They are sorted by helix angle, module
-/// and face width.
+/// Returns the choices for every module of the problem, every face width of its bands, and every
+/// overlap ratio. The helix angles are of either hand and within the band. The choices are sorted
+/// by helix angle, module and face width.
 ///
 /// Domain    the problem has no band of b/d_1 (contract)
 std::vector<HelixChoice> whole_overlap_choices(const SearchProblem& problem,

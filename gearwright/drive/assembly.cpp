@@ -14,16 +14,16 @@ namespace gearwright {
 
 namespace {
 
-/// The greatest allowed difference, degrees, between a given angle and the nearest place at which a
-/// planet can be assembled. Drawings give angles with two decimals.
+/// Greatest allowed difference, degrees, between an angle that the user gives and the nearest angle
+/// at which a planet can be assembled. Drawings give angles with two decimals.
 constexpr double kSamePlace = 0.01;
-/// The greatest change of a tooth number that is tried for a proposal.
+/// Greatest change of a number of teeth that is tried for a proposal.
 constexpr int kMostTeethChanged = 12;
 
 using Row = std::vector<long long>;  // row of [A | b] for one mesh
 
-// Returns the row of [A | b] for each mesh. The coefficient of the rotation χ of a rider is z of
-// its gear, and b is −z of the central gear.
+// Returns the row of [A | b] for each mesh. The rotation χ of a planet body has the coefficient z
+// of its gear, and b is −z of the central gear.
 std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<Row> rows;
   for (const std::size_t m : group.meshes) {
@@ -43,8 +43,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
 }
 
 // Returns N* = gcd |y·b|, where the rows y form a saturated basis of y·A = 0. Euclid's algorithm
-// brings the columns of A to echelon form by unimodular steps. In the rows in which A has then
-// become 0, the last column contains the values y·b.
+// transforms A to echelon form by unimodular steps. In each row whose A part is then 0, the last
+// column contains a value y·b.
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
@@ -74,9 +74,9 @@ long long places_of(std::vector<Row> rows, std::size_t riders) {
   return places;
 }
 
-// Lists the numbers of teeth of single gears with which an equal pitch is possible, for example
-// "ring 68 or 72, sun 18". For each gear, only the smallest change is listed. If this change is
-// possible in both directions, both numbers are listed. Changes above kMostTeethChanged are not
+// Lists numbers of teeth of single gears with which an equal pitch is possible, for example "ring
+// 68 or 72, sun 18". For each gear, only the smallest change is listed. If the same change is
+// possible upwards and downwards, both numbers are listed. Changes above kMostTeethChanged are not
 // tried.
 std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<std::size_t> gears;
@@ -103,7 +103,7 @@ std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& grou
   return fmt::format("{}", fmt::join(proposals, ", "));
 }
 
-// The nearest numbers of planets below and above `count` that can be equally spaced.
+// Lists the nearest numbers of planets below and above `count` that can be equally spaced.
 std::string counts_that_assemble(long long places, long long count) {
   std::vector<std::string> found;
   for (long long n = count - 1; n >= 1 && found.empty(); --n)
@@ -124,7 +124,7 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
   std::vector<Rational> turns;
   for (const double given : degrees) {
     const double u = (given - degrees.front()) / 360.0;
-    // If every place is possible, angles are rounded to a millionth of a degree.
+    // If any angle is possible, the angles are rounded to a millionth of a degree.
     const long long grid = places > 0 ? places : 360'000'000;
     const double n = std::round(u * static_cast<double>(grid));
     const double off = std::abs(u - n / static_cast<double>(grid)) * 360.0;
@@ -149,8 +149,8 @@ bool equal_pitch(const std::vector<Rational>& turns) {
   return true;
 }
 
-// The clocking of each copy of a stepped planet whose two gears mesh with one central gear each.
-// None for any other planet.
+// Returns the clocking of each copy of a stepped planet. Each of its two gears must mesh with
+// exactly one central gear. Returns none for any other planet.
 std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const PlanetGroup& group,
                                               const std::vector<Rational>& turns) {
   if (group.riders.size() != 1 || group.meshes.size() != 2) return std::nullopt;
@@ -167,8 +167,8 @@ std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const Pla
   const Rational step = Rational::of(1, std::lcm(z1, z2));
   std::vector<Rational> list;
   for (const Rational& u : turns) {
-    // −u (z_s/z_p1 − z_r/z_p2), with z_r < 0 for a ring; either central gear may be a ring.
-    // [T13.14]
+    // The clocking is −u (z_s/z_p1 − z_r/z_p2), with z_r < 0 for a ring. Each central gear may be a
+    // sun or a ring. [T13.14]
     const Rational angle =
         u * (Rational::of(central[1]->factor(), z2) - Rational::of(central[0]->factor(), z1));
     list.push_back((angle / step).frac() * step);

@@ -1,5 +1,5 @@
-// Computes the places at which a copy of a planet can be assembled. A place is an angle around
-// the axis of the carrier.
+// Computes the places of a planet in a drive. A place is an angle around the axis of the carrier at
+// which a copy of the planet can be assembled.
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
 //   N*     number of places per turn: u = n/N* [T13.12]; 0 if any place is possible
@@ -24,21 +24,21 @@ struct Assembly {
   std::vector<Rational> clocking;  ///< δ of each copy, turns; empty if all copies are identical
 };
 
-/// Computes N* of a group of planets.
+/// Returns N* of a group of planets.
 ///
 /// Formula   A copy moves from 0 to u around the axis of the carrier, while the central gears are
-///           at rest. It can be assembled at u if and only if, for some rotations χ of its riders,
-///           every mesh moves by whole teeth: A χ + b u ∈ Zᴹ.
+///           at rest. The copy can be assembled at u if and only if every mesh moves by whole teeth
+///           for some rotations χ of the planet bodies: A χ + b u ∈ Zᴹ.
 ///           N* = gcd |y·b| over the rows y of a saturated integer basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
-/// Computes the places of the copies. They are the given positions of the body, if there are any.
-/// Otherwise, they follow from the spacing: n_i = floor(i N*/N + 1/2), [T13.13].
+/// Computes the places of the copies. If the body has given positions, these are the places.
+/// Otherwise, the places follow from the spacing: n_i = floor(i N*/N + 1/2), [T13.13].
 ///
-/// Errors    `drive.spacing` if the planets cannot be assembled (the message proposes similar tooth
-///           numbers); `drive.positions` if the teeth do not mesh at a given position (the message
-///           gives the nearest place). If there are fewer places than copies, some copies get the
-///           same place, which is not an error.
+/// Errors    `drive.spacing` if the planets cannot be assembled; the message proposes similar tooth
+///           numbers. `drive.positions` if the teeth do not mesh at a given position; the message
+///           gives the nearest place. If there are fewer places than copies, some copies get the
+///           same place, and there is no error
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 
 }  // namespace gearwright

@@ -97,8 +97,8 @@ TEST(Assembly, ClockedPlanetsMeshAnywhere) {
   const Assembly a = assembled(graph(teeth, 3, Spacing::equal_clocked));
   ASSERT_EQ(a.clocking.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    // If clocked by δ, the second gear meshes in one of the positions of the first: z_p2 (χ + δ) +
-    // z_r u is whole.
+    // If the second gear is clocked by δ, it meshes in one of the positions of the first gear. Then
+    // z_p2 (χ + δ) + z_r u is a whole number.
     bool fits = false;
     for (int k = 0; k < 31; ++k) {
       const Rational chi = (Rational(k) + Rational(17) * a.turns[i]) / Rational(31);

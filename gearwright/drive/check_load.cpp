@@ -12,7 +12,7 @@ namespace {
 
 using detail::not_loaded;
 
-// Returns an error if this kind of drive cannot be computed under load.
+// Returns an error if the loaded contact does not support this kind of drive.
 std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load) {
   const DriveGraph& graph = drive.graph;
   if (graph.inputs.size() != 1 || drive.motion.freedom != 1)
@@ -58,7 +58,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
   return std::nullopt;
 }
 
-// Returns an error if the body cannot float, or if the errors of the pins do not match the planets.
+// Returns an error if the body cannot float, or if the number of pin errors differs from the number
+// of pins.
 std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load) {
   const DriveGraph& graph = drive.graph;
   if (load.floating) {

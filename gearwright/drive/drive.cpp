@@ -16,8 +16,8 @@ namespace gearwright {
 
 namespace {
 
-// Makes the ring or rack the second gear of each mesh, as in a pair. The equation of a mesh does
-// not depend on the order of its gears.
+// Orders the gears of each mesh so that a ring or a rack is the second gear, as in a pair. The
+// equation of a mesh does not depend on this order.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
     if (graph.gear(mesh, 0).factor() < 0) {
@@ -45,8 +45,8 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Returns the speeds of all bodies for the given speeds of the inputs. If there is only one input,
-// its speed is 1.
+// Returns the speeds of all bodies for the speeds of the inputs that the user gives. A single input
+// has the speed 1.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
@@ -106,7 +106,7 @@ std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
   if (sun.rider != ring.rider || !one || !two) return std::nullopt;
   const DriveMesh& mesh = drive.graph.meshes[sun.mesh];
   const int which = &drive.graph.gear(mesh, 0) == sun.rider ? 1 : 2;
-  // If the power flow is unknown, the sun is assumed to drive unless it is the output.
+  // If the power flow is unknown and the sun is not the output, the sun is assumed to drive.
   bool sun_drives = drive.graph.output != sun.central->body;
   if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[sun.mesh] >= 0)
     sun_drives = drive.flow->driver[sun.mesh] == 2 - which;
@@ -147,8 +147,8 @@ std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& me
   return list;
 }
 
-// In a drive with several inputs, the torque of the first input determines all other torques, so
-// that another input may have to brake.
+// In a drive with several inputs, the torque of the first input determines all other torques.
+// Another input may therefore have to brake.
 void report_power_against_inputs(Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const auto speeds = speeds_of(drive);

@@ -26,39 +26,41 @@ struct PlanetSet {
   PlanetGroup group;
   Assembly assembly;
   std::optional<Neighbours> neighbours;           ///< none for a single planet or without geometry
-  std::vector<Rational> sun_phases, ring_phases;  ///< γ_i at the sun, at the ring
+  std::vector<Rational> sun_phases, ring_phases;  ///< γ_i of the meshes with the sun and with the
+                                                  ///< ring
   std::optional<double>
-      sun_ring_phase;  ///< γ_rs; none without geometry, or if no planet gear meshes with both a
-                       ///< sun and a ring
-  Phasing phasing;     ///< phasing of the meshes with the sun, or with the ring if there is no sun
+      sun_ring_phase;  ///< γ_rs; none without geometry, or if no planet gear meshes with a sun and
+                       ///< also with a ring
+  Phasing phasing;     ///< of the meshes with the sun, or with the ring if there is no sun
 };
 
-/// Transmission error at the output while the input turns uniformly.
+/// The transmission error at the output, if the input turns uniformly.
 struct DriveError {
   struct Line {
     double frequency_ratio;  ///< cycles per turn of the input
-    double amplitude;        ///< rad; if the output is a rack, its travel with 2π per pitch
+    double amplitude;        ///< rad; for a rack, its travel, where 2π is one pitch
   };
-  /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
-  /// of all frequencies. The error reaches this sum when the peaks coincide. Under load, meshes
-  /// that share planets contribute the range over all combinations of their positions [T13.26b].
+  /// Peak-to-peak value, rad. If the meshes have several frequencies, the values of all frequencies
+  /// are added. The error reaches this sum at times at which all peaks coincide. Meshes of the same
+  /// planets under load are treated together: their value is the range over all combinations of
+  /// their positions [T13.26b].
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< lines in the order of frequency
-  /// p_t/2π mm, set if the output is a rack. The error of the travel of the rack is this length
-  /// times the error in rad.
+  /// p_t/2π mm, set if the output is a rack. The error of the rack's travel in mm is `lever` times
+  /// the error in rad.
   std::optional<double> lever{};
 };
 
-/// The shares of the planets of a set under load over one period of its meshes, in the frame of the
-/// carrier. If the meshes have several frequencies, the period is the period of the first one, and
-/// the values at its positions are means over all positions of the other meshes.
+/// The shares of the planets of a set under load, over one period of the meshes, in the frame of
+/// the carrier. If the meshes have several frequencies, the period is that of the first frequency.
+/// Each value is then a mean over all positions of the other meshes.
 struct PlanetShares {
   std::size_t set = 0;  ///< index in Drive::sets
   /// The share of each planet in the mesh with the greatest force, [planet][position].
   std::vector<std::vector<double>> share;
   std::vector<double> least, greatest;  ///< least and greatest share of each planet in this mesh
-  /// Each loaded mesh of the set with its K_γ = N max share [T13.26]. The values differ only if a
-  /// planet has more than two meshes.
+  /// Each loaded mesh of the set, and its K_γ = N max share [T13.26]. The meshes have the same K_γ
+  /// unless a planet has more than two meshes.
   std::vector<std::pair<std::size_t, double>> mesh_load_factors;
   std::optional<std::size_t> floating;  ///< body that is free to move radially
   std::vector<Vec2> displacement;       ///< displacement of the floating body, mm, at each position
@@ -71,8 +73,8 @@ struct PlanetShares {
 
 /// Results for the drive under load, computed by drive/loaded_drive.hpp.
 struct LoadedDrive {
-  /// Deviation of the output rotation from its mean over one period of a mesh frequency, rad. For
-  /// planets with several frequencies, it is the mean over the positions of the other meshes.
+  /// Deviation of the output rotation from its mean, rad, over one period of a mesh frequency. If
+  /// planets have several frequencies, each value is a mean over the positions of the other meshes.
   struct Curve {
     double frequency_ratio = 0.0;       ///< teeth per turn of the input
     std::vector<double> loaded, rigid;  ///< with elastic and with rigid teeth, at each position
@@ -83,8 +85,9 @@ struct LoadedDrive {
   std::vector<PlanetShares> sets;
 };
 
-/// Backlash, rad: the motion of the input while the output is held, and the motion of the
-/// output while the input is held. For a rack, the motion is its travel, with 2π per pitch.
+/// Backlash, rad. `input` is the motion of the input while the output is held, and `output` is the
+/// motion of the output while the input is held. The motion of a rack is its travel, where 2π is
+/// one pitch.
 struct DriveBacklash {
   double input, output;
   std::optional<double> input_lever{}, output_lever{};  ///< p_t/2π  mm, of a rack, as in DriveError
@@ -93,21 +96,22 @@ struct DriveBacklash {
 /// Rating of a mesh as a pair of gears, computed by drive/drive_rating.hpp.
 struct MeshRating {
   RatedPair pair;
-  RatingInput input;  ///< for one engagement per turn and bending in one direction
-  Rating rating;      ///< for the actual engagements and bending of each gear
+  RatingInput input;  ///< for one engagement per turn, and for bending in one direction
+  Rating rating;      ///< for the actual engagements and directions of bending of each gear
   std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
 
-/// Contact of a mesh under errors of mounting. For a double-helical pair, it is the contact of
-/// the whole gears.
+/// Contact of a mesh under errors of mounting. For a double-helical pair, the result is the contact
+/// of the whole gears.
 struct MeshContact {
-  ContactResult driving, other;     ///< contact of the working flanks and of the other flanks
-  std::optional<Angle> least_play;  ///< least play of gear 2 or of the rack; none if one of the
-                                    ///< flanks never touches
+  ContactResult driving, other;     ///< contact of the working flanks, and contact of the
+                                    ///< non-working flanks
+  std::optional<Angle> least_play;  ///< least play of gear 2 or of the rack; none if the working or
+                                    ///< the non-working flanks never touch
   ContactResult on_halves;          ///< contact of the working flanks of a double-helical pair
 
-  /// The contact that the verdict judges: for a double-helical pair the contact of its halves,
-  /// and otherwise the contact of the working flanks.
+  /// The contact that the verdict judges. For a double-helical pair, this is the contact of its
+  /// halves. For any other pair, it is the contact of the working flanks.
   const ContactResult& judged() const { return on_halves.positions.empty() ? driving : on_halves; }
 };
 
@@ -116,65 +120,68 @@ struct Drive {
   DriveMotion motion;
   DriveGeometry geometry;
   std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< one for each mesh
-  /// None if an efficiency is unknown, if meshes are redundant, or if the speeds of several inputs
-  /// are not given.
+  /// The power flow. None if an efficiency is unknown, if meshes are redundant, or if several
+  /// inputs have no given speeds.
   std::optional<PowerFlow> flow;
-  std::optional<PowerFlow> backward;  ///< power flow if the output drives; none if `flow` is none
-                                      ///< or if there are several inputs
+  std::optional<PowerFlow> backward;  ///< power flow if the output drives; none without `flow` or
+                                      ///< with several inputs
   std::vector<PlanetSet> sets;
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes,
-                                          ///< or loaded meshes without geometry
-  std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
+                                          ///< or a loaded mesh without geometry
+  std::optional<DriveError> error;        ///< none without `backlash`, or if a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< one per mesh; empty if not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
-  /// Contact of each mesh under the errors of the spec; empty if the spec has no errors. None for a
-  /// mesh whose flanks or senses of rotation are unknown.
+  /// Contact of each mesh under the errors of the spec. The list is empty if the spec has no
+  /// errors. The contact is none for a mesh with unknown flanks or an unknown sense of rotation.
   std::vector<std::optional<MeshContact>> contacts;
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< stages of a train; each is a separate drive
 
-  /// Speed of a body, 1/min; for the body of a rack, pitches per minute. None if the speeds of the
-  /// inputs are not given.
+  /// Returns the speed of a body, 1/min. For the body of a rack, returns pitches per minute.
+  /// Returns none if the speeds of the inputs are not given.
   std::optional<double> speed_rpm(std::size_t body) const;
-  /// ω of a body divided by ω of the first input. None if there are several inputs and their speeds
-  /// are not given, or if the first input is at rest.
+  /// Returns ω of a body divided by ω of the first input. Returns none if there are several inputs
+  /// without given speeds, or if the first input is at rest.
   std::optional<double> speed_ratio(std::size_t body) const;
-  /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
-  /// if the body has no rack or the module is unknown.
+  /// Returns the transverse pitch p_t of the rack on a body, mm, computed from the module of the
+  /// pinion. Returns none if the body has no rack or the module is unknown.
   std::optional<double> rack_pitch(std::size_t body) const;
-  /// p_t/2π mm, the factor that converts a travel that is stored as an angle to mm. None if
-  /// rack_pitch() is none.
+  /// Returns p_t/2π, mm. A travel that is stored as an angle is multiplied by this factor to
+  /// convert it to mm. Returns none if rack_pitch() is none.
   std::optional<double> lever(std::size_t body) const;
-  /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
+  /// Returns the speed v = n p_t of the body of a rack, m/s. Returns none if the speed or the pitch
+  /// is unknown.
   std::optional<double> linear_speed(std::size_t body) const;
-  /// External force on the body of a rack, F = 2π T/p_t, N. None if the torque, the power flow or
-  /// the pitch is unknown, or if the drive is self-locking.
+  /// Returns the external force on the body of a rack, F = 2π T/p_t, N. Returns none if the torque,
+  /// the power flow or the pitch is unknown, or if the drive is self-locking.
   std::optional<double> force(std::size_t body) const;
-  /// ω of a body relative to the frame of its first mesh, divided by ω of the first input. None if
-  /// speed_ratio() is none.
+  /// Returns ω of a body relative to the frame of its first mesh, divided by ω of the first input.
+  /// Returns none if speed_ratio() is none.
   std::optional<double> relative_speed_ratio(std::size_t body) const;
-  /// Mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
+  /// Returns the mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
-  /// Play of a body while `held`, which is the input or the output, does not move, rad; for a
-  /// rack, its travel with 2π per pitch. None if there are several inputs or redundant
-  /// meshes, or if a mesh between the two bodies has no involute teeth. [T13.20]
+  /// Returns the play of a body, rad, while the body `held` does not move. `held` is the input or
+  /// the output. The play of a rack is its travel, where 2π is one pitch. Returns none if there are
+  /// several inputs or redundant meshes, or if a mesh between the two bodies has no involute teeth.
+  /// [T13.20]
   std::optional<double> play(std::size_t body, std::size_t held) const;
-  /// γ_i of the copies of a mesh of planets with a central gear; empty for any other mesh [T13.16].
+  /// Returns γ_i of all copies if a planet meshes with a central gear, and an empty list for any
+  /// other mesh. [T13.16]
   std::vector<Rational> phases(std::size_t mesh) const;
   std::optional<std::size_t> frame_of_body(std::size_t body) const;
 };
 
-/// The graph of a drive and, for a train, a separate graph of each stage.
+/// The graph of a drive. For a train, also a separate graph of each stage.
 struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
   int harmonics = 3;  ///< number of harmonics of the phasing and the transmission error
-  /// If true and the teeth are impossible, the fault lists changes that make the drive possible.
-  /// The search for these changes takes as long as the computation of up to 80 drives.
+  /// If true, and if the teeth are impossible, the fault lists changes that make the drive
+  /// possible. The search for these changes takes as long as the computation of up to 80 drives.
   bool remedies = false;
 };
 
-/// Computes the drive of a graph. Load and ratings are computed by other functions.
+/// Computes the drive of a graph. The load and the ratings are not included.
 ///
 /// Errors    as check_graph, drive_motion, power_flow and assemble
 Result<Drive> make_drive(const DriveInput& input);

@@ -18,13 +18,12 @@ namespace {
 using detail::MeshPhase;
 using Wave = std::complex<double>;
 constexpr int kMostHarmonics = kErrorPositions / 2 - 1;
-/// rad; the variation of a curve below this limit is a rounding error, as in contact_curve()
+/// rad; a smaller variation of a curve is a rounding error, as in contact_curve()
 constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// e^{2πi turn/kErrorPositions}. The angle has no rounding error of its own, because `turn` is an
-// integer.
+// Returns e^{2πi turn/kErrorPositions}. `turn` is an integer, so the angle is exact.
 Wave root_of_unity(int turn) {
   static const std::vector<Wave> all = [] {
     std::vector<Wave> list;
@@ -35,7 +34,7 @@ Wave root_of_unity(int turn) {
   return all[static_cast<std::size_t>(turn % kErrorPositions)];
 }
 
-// The harmonics of the curve of a mesh. They are empty if the flanks are conjugate, or if the mesh
+// The harmonics of the curve of a mesh. There are none if the flanks are conjugate, or if the mesh
 // does not move the output.
 struct MeshCurve {
   std::vector<Wave> waves;   // complex amplitudes of harmonics 0, 1, …, kErrorPositions/2
@@ -46,7 +45,7 @@ class DriveCurves {
  public:
   DriveCurves(const Drive& drive, const MeshErrors& errors) : drive_(drive), errors_(errors) {}
 
-  // Computes the curves of the meshes that move the output. Returns false if one of them cannot be
+  // Computes the curves of the meshes that move the output. Returns false if a curve cannot be
   // computed.
   bool make() {
     auto phases = detail::phases_of(drive_);
@@ -65,15 +64,15 @@ class DriveCurves {
     DriveError found;
     for (const std::size_t first : frequencies()) {
       const auto teeth = drive_.frequency_ratio(first);
-      // The time at which the first mesh reaches position 0 of its curve.
+      // The time at which the first mesh of this frequency is at position 0 of its curve.
       const double begin = -phases_[first].event - phases_[first].time;
       std::vector<Wave> waves;
       for (int k = 0; k <= kErrorPositions / 2; ++k) waves.push_back(sum(first, k, begin));
       for (int k = 1; k <= harmonics; ++k)
         found.lines.push_back(
             {k * teeth.value_or(0.0), 2 * std::abs(waves[static_cast<std::size_t>(k)])});
-      // Without errors, all waves are exactly 0. The frequency is then skipped to save time,
-      // because a search computes thousands of such drives.
+      // Without errors, all waves are exactly 0. The frequency is then skipped to save time. A
+      // search computes thousands of such drives.
       if (std::all_of(waves.begin(), waves.end(), [](const Wave& w) { return w == 0.0; })) continue;
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {
@@ -93,9 +92,9 @@ class DriveCurves {
   }
 
  private:
-  // The transmission error of a mesh over one pitch. For a double-helical pair, it is the error of
-  // both halves together. If the gears are seen from the other face, the half with the hand that
-  // the drawing gives is at z < 0.
+  // Returns the transmission error of a mesh over one pitch. For a double-helical pair, this is the
+  // error of both halves together. If the gears are seen from the other face, the half at z < 0 has
+  // the hand that the drawing gives.
   static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
     if (!setup.gear(1).gap)
       return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
@@ -104,7 +103,7 @@ class DriveCurves {
     return gearwright::transmission_error(both.mesh, kErrorPositions);
   }
 
-  // The transmission error of a mesh, rad. Empty if it cannot be computed.
+  // Returns the transmission error of a mesh, rad. The result is empty if it cannot be computed.
   std::vector<double> of_mesh(std::size_t m, const ContactErrors& errors) const {
     if (m < drive_.contacts.size() && drive_.contacts[m]) {
       std::vector<double> te;
@@ -121,9 +120,9 @@ class DriveCurves {
                  : std::vector<double>();
   }
 
-  // The transmission error of a mesh along its line of action, mm, > 0 if the driven gear is ahead.
-  // of_mesh() gives it as an angle of gear 2, so its sign is changed if gear 2 drives. Empty if
-  // the error cannot be computed.
+  // Returns the transmission error of a mesh along the line of action, mm. It is > 0 if the driven
+  // gear is ahead. of_mesh() returns an angle of gear 2, so the sign is changed if gear 2 drives.
+  // The result is empty if the error cannot be computed.
   std::vector<double> along_line(std::size_t m, const ContactErrors& errors) const {
     std::vector<double> te = of_mesh(m, errors);
     // The travel of a rack is stored as an angle of the pinion.
@@ -156,7 +155,7 @@ class DriveCurves {
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
-        // The curve starts half a pitch before its middle.
+        // The curve starts half a pitch before its middle, which is the reference of the phase.
         wave += (e[static_cast<std::size_t>(j)] - e[0]) *
                 std::conj(root_of_unity(k * (j + kErrorPositions / 2)));
       }
@@ -175,12 +174,12 @@ class DriveCurves {
       for (const Rational& gamma : phase.phases)
         mean += phasor(-phase.sense * (Rational(static_cast<long long>(k)) * gamma).frac().value());
       mean /= static_cast<double>(phase.phases.size());
-      curves_[m].shares[k] = std::abs(mean) < 1e-12 ? Wave(0.0) : mean;  // a smaller mean is a
-                                                                         // rounding error
+      curves_[m].shares[k] = std::abs(mean) < 1e-12 ? Wave(0.0) : mean;  // smaller means are
+                                                                         // rounding errors
     }
   }
 
-  // The first mesh of each frequency that occurs at the output.
+  // Returns the first mesh of each frequency that affects the output.
   std::vector<std::size_t> frequencies() const {
     std::vector<std::size_t> list;
     for (std::size_t m = 0; m < phases_.size(); ++m)
@@ -188,8 +187,8 @@ class DriveCurves {
     return list;
   }
 
-  // The sum of harmonic k of all meshes of one frequency at time t, as a rotation of the output,
-  // rad.
+  // Returns the sum of harmonic k of all meshes of one frequency at the time t, as a rotation of
+  // the output, rad.
   Wave sum(std::size_t first, int k, double t) const {
     Wave total = 0.0;
     for (std::size_t m = 0; m < curves_.size(); ++m) {

@@ -1,5 +1,5 @@
-// Computes the transmission error of a drive from the curves of its meshes, each with its
-// phase.
+// Computes the transmission error of a drive from the transmission errors of its meshes, which have
+// different phases.
 //
 //   e_m    transmission error of a mesh along the transverse line of action, mm; > 0 if the driven
 //          gear is ahead
@@ -8,8 +8,8 @@
 //   δφ_o = Σ_m |λ_m/T_o| (2π/p_bt,m) ē_m(t), ē_m = Σ_i e_m(t − γ_i)/N          [T13.21], [T13.22]
 //                                              theory: docs/theory/13-drives.md
 //
-// The curve of a mesh is the mean over the planets of the set, because equal planets with a
-// floating member share the load equally.
+// The curve of a mesh is the mean over the planets of the set. This is valid for equal planets with
+// a floating member, because they share the load equally.
 #pragma once
 
 #include <functional>
@@ -25,26 +25,26 @@ namespace gearwright {
 /// for a relief of 20 µm would be 5 % too large.
 inline constexpr int kErrorPositions = 256;
 
-/// A function that returns the errors of mounting of the mesh with a given index. The function is
-/// empty if there are no errors.
+/// A function that returns the errors of mounting of the mesh with a given index. If there are no
+/// errors, there is no function.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
-/// The transmission error with the harmonics 1 … `harmonics` of each mesh frequency, at most
-/// kErrorPositions/2 − 1.
+/// Returns the transmission error with the harmonics 1 … `harmonics` of each mesh frequency. At
+/// most kErrorPositions/2 − 1 harmonics are included.
 ///
-/// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency, and the angle between
-///           them on the gear gives their phase, [T13.17]. Flanks that have neither modifications
-///           nor errors of mounting are conjugate, and their curve is 0
+/// Formula   [T13.21], [T13.22]. Meshes that share a gear have one frequency, and their phase
+///           follows from the angle between them on this gear, [T13.17]. Flanks without
+///           modifications and without errors of mounting are conjugate, and their curve is 0
 /// Domain    a drive made by make_drive(), with its flow if there is one. If the drive has
-///           `contacts`, they must have been computed with the same errors, and are used here.
-///           harmonics ≥ 1 (contract)
+///           `contacts`, the function uses them, and they must have been computed with the same
+///           errors. harmonics ≥ 1 (contract)
 /// None      if there are several inputs or a redundant mesh, if a mesh that moves the output has
 ///           no geometry or loses contact, if its rack has several pinions or errors of the teeth,
 ///           or if a measured gear is loaded on a flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors = {});
 
-/// The contact of each mesh under errors, at kErrorPositions positions.
+/// Returns the contact of each mesh under errors, at kErrorPositions positions.
 ///
 /// Domain    as for transmission_error(); errors given (contract)
 /// None      for every mesh if there are several inputs, a redundant mesh or unknown phases; for a

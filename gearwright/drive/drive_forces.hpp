@@ -1,4 +1,4 @@
-// Computes the forces of the teeth on the gears and axes of a drive with a given torque.
+// Computes the forces of the teeth on the gears and axes of a drive for a given torque.
 //
 //   T_1       torque of one copy of a mesh on its first gear, counter-clockwise seen from +z
 //   r_w, α_wt, β_w   working pitch radius, working pressure angle and helix angle of the first gear
@@ -7,7 +7,7 @@
 //   F_1 = F_t z × u − F_r u + F_z z     F_2 = −F_1                                         [T13.30]
 //                                              theory: docs/theory/13-drives.md, 13.8
 //
-// The torques include the tooth losses, but the forces do not include the friction forces.
+// The torques include the losses of the teeth. The forces do not include friction forces.
 #pragma once
 
 #include <optional>
@@ -23,20 +23,21 @@ struct MeshForces {
   double axial;       ///< F_z on the first gear, along +z; 0 for double-helical gears
 };
 
-/// The sum of the forces of all meshes of a body. For a planet, it is the sum for copy 0.
+/// The sum of the forces of all meshes of a body. For a planet, the sum applies to copy 0.
 struct BodyForces {
-  double radial;   ///< N; the bearings share it according to the positions of the gears
+  double radial;   ///< N; the bearings carry it in shares that depend on the positions of the gears
   double axial;    ///< N, along +z
   double tilting;  ///< moment of the axial forces, which tilts the body  N mm
 };
 
-/// The forces of a mesh. None without a torque, a power flow or the geometry of the mesh.
+/// Returns the forces of a mesh. Returns none without a torque, a power flow or the geometry of the
+/// mesh.
 ///
 /// Formula   [T13.29]
 std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh);
 
-/// The forces on a body. None if the body has no gears, if mesh_forces() returns none for one of
-/// its meshes, or if the positions of the axes are unknown.
+/// Returns the forces on a body. Returns none if the body has no gears, if mesh_forces() is none
+/// for one of its meshes, or if the positions of the axes are unknown.
 ///
 /// Formula   [T13.31]
 std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body);

@@ -20,14 +20,15 @@ namespace {
 
 using Fault = GeometryFault;
 
-// True if the tooth data of both gears of a mesh are known, and not only the tooth numbers.
+// True if the tooth data of both gears of a mesh are known. The numbers of teeth alone are not
+// enough.
 bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
 
-// The profile shift of a gear before absent shifts are computed. A circular-arc gear without a
-// given shift has the shift 0, because the position of the arcs determines the depth of its
-// rack.
+// Returns the profile shift of a gear before absent shifts are computed. A circular-arc gear
+// without a given shift has the shift 0, because the position of its arcs determines the depth of
+// its teeth.
 std::optional<double> known_shift(const DriveGear& gear) {
   const bool arcs = gear.spec && !is_straight(gear.spec->rack);
   return arcs ? gear.shift.value_or(0.0) : gear.shift;
@@ -74,8 +75,8 @@ class Completion {
   }
 
  private:
-  // The number of unknown shifts of a mesh. A mesh with two unknown shifts is completed last,
-  // because another mesh may determine one of them.
+  // Returns the number of unknown shifts of a mesh. Meshes with two unknown shifts are completed
+  // last, because another mesh may determine one of these shifts.
   int unknowns(std::size_t m) const {
     int count = 0;
     for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;
@@ -113,7 +114,7 @@ class Completion {
   DriveGeometry& made_;
 };
 
-// Makes a gear of a drive. If the gear is double-helical, the result is one half.
+// Makes a gear of a drive. For a double-helical gear, the function makes one half.
 void make_drive_gear(const DriveGraph& graph, std::size_t g, std::optional<double> tip_diameter,
                      DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
@@ -166,8 +167,8 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   }
 }
 
-// The reason why a rack and its pinion cannot be mounted, with the name of the gear instead of
-// "gear1" or "gear2".
+// Returns the reason why a rack and its pinion cannot be mounted. The text names the gear of the
+// drive instead of "gear1" or "gear2".
 std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error error) {
   const bool of_rack = subject_of(error.field).gear == 2;
   const std::string& name = graph.gear(mesh, of_rack ? 1 : 0).name;
@@ -178,7 +179,7 @@ std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error
   return fmt::format("{}: {}", name, error.quoted());
 }
 
-// Mounts the racks. A pinion without a shift has the shift 0.
+// Mounts the racks. If the shift of a pinion is not given, it is 0.
 void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];
@@ -205,16 +206,16 @@ void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, Drive
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
 
-// True if the tip diameter of a gear follows from its generating rack, and may therefore be
+// True if the generating rack determines the tip diameter of a gear. The tip diameter may then be
 // changed.
 bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
-// With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance
-// is less than the clearance of the generating racks. If the verdict requires a greater tip
-// clearance, the tip is lowered by k m_n, which restores the clearance of the racks.
+// With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance is
+// less than that of the generating racks. If this tip clearance is too small for the verdict, the
+// function lowers the tip by k m_n. This restores the tip clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -230,9 +231,9 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// The tips of a ring with the full addendum of its rack often reach beyond the root ends of the
-// flanks of its mating gears. If no tip diameter is given, the tips are therefore cut back so
-// that they touch only these flanks.
+// If the tips of a ring have the full addendum of its rack, they often extend beyond the root ends
+// of the flanks of the mating gears. If no tip diameter is given, the tips are therefore cut back
+// until they touch only these flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
@@ -288,15 +289,15 @@ std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const Pl
 
 double tip_gap(const Rider& a, const Rider& b, double turned) {
   const double angle = b.angle + turned - a.angle;
-  // The distance of two points given in polar coordinates, in a form with little cancellation. For
-  // equal radii it is 2 a sin(Δ/2).
+  // The distance of two points in polar coordinates, in a form with little cancellation. For equal
+  // radii, the distance is 2 a sin(Δ/2).
   const double half = std::sin(angle / 2);
   const double d = a.distance - b.distance;
   const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
   return between - (a.tip_diameter + b.tip_diameter) / 2;
 }
 
-// The least gap between the tips of riders of different copies.
+// Returns the least gap between the tips of planet bodies of different copies.
 double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
   double least = kInfinity;
   for (std::size_t i = 0; i < turned.size(); ++i)
@@ -332,8 +333,8 @@ std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault) {
   std::vector<RiderPlace> riders;
-  // The angle of each rider after the first follows from a triangle. Its corners are the axes of
-  // the carrier, of this rider, and of a rider whose angle is known.
+  // The angle of each planet body after the first one follows from a triangle. The corners of the
+  // triangle are the axes of the carrier, of this body, and of a body whose angle is known.
   for (std::size_t i = 0; i < group.riders.size(); ++i) {
     const std::size_t body = group.riders[i];
     const auto a = distance_between(graph, group, distances, body, std::nullopt);
@@ -374,7 +375,8 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   for (int n = 2; n <= kMost; ++n) {
     turned.clear();
     for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch, every distance between two copies also occurs between copy 0 and another one.
+    // At equal pitch, every distance between two copies is also the distance of some copy from copy
+    // 0.
     double gap = kInfinity;
     for (int i = 1; i < n; ++i)
       for (const Rider& a : *riders)
@@ -408,7 +410,8 @@ std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, st
 
 namespace {
 
-// The ratio of tooth thickness to pitch on the circle with the transverse pressure angle α_wt.
+// Returns the ratio of tooth thickness to pitch on the circle with the transverse pressure angle
+// α_wt.
 double thickness_share_at(const Gear& gear, double alpha_wt) {
   const auto& reference = gear.reference();
   return 0.5 +

@@ -5,9 +5,9 @@
 //   c      least distance between the tips of neighbouring planets, mm [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// If a drive lacks the data of its teeth, it has speeds, torques and places, but no geometry.
-// A geometry that cannot be built is a finding and not an error, and the other results are still
-// computed.
+// If the data of the teeth are missing, a drive has speeds, torques and places, but no geometry. If
+// the geometry cannot be built, the drive gets a finding instead of an error, and the other results
+// are still computed.
 #pragma once
 
 #include <optional>
@@ -34,8 +34,8 @@ struct DriveGeometry {
   std::vector<std::optional<RackPair>> racks;  ///< one for each mesh with a rack
   std::vector<GeometryFault> faults;
 
-  /// The pair of a mesh of two involute gears; null for circular arcs, for a rack, and if the teeth
-  /// cannot be mounted. All axes of a drive are parallel.
+  /// Returns the pair of a mesh of two involute gears. Returns null for circular arcs, for a rack,
+  /// and if the teeth cannot be mounted. All axes of a drive are parallel.
   const ParallelPair* involutes(std::size_t mesh) const {
     return pairs[mesh] ? pairs[mesh]->parallel() : nullptr;
   }
@@ -43,40 +43,44 @@ struct DriveGeometry {
   bool touches(std::size_t mesh) const;  ///< true if the mesh is mounted and its flanks touch
 };
 
-/// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
-/// does. A given distance applies to all meshes of a planet with central gears. If no distance
-/// is given, absent shifts of the first of these meshes are 0, and its backlash-free distance
-/// is the distance of all these meshes. If the tip diameter of a ring is not given, its tips
-/// stay 0.02 m_n above the root ends of the flanks of the mating gears. Any other tip with a
-/// clearance of less than 0.1 m_n is lowered by the tip shortening k m_n. The shift of the
-/// pinion of a rack, or of a circular-arc gear, is 0 if none is given. A rack is mounted
-/// without backlash if no distance is given.
+/// Computes absent shifts from distances, and absent distances from shifts, as complete_shifts()
+/// does.
+///
+///   distances   A given distance applies to all meshes of a planet with central gears. If no
+///               distance is given, absent shifts of the first of these meshes are 0, and the
+///               backlash-free distance of this mesh applies to all of them. A rack without a given
+///               distance is mounted without backlash.
+///   shifts      The shift of the pinion of a rack, or of a circular-arc gear, is 0 if none is
+///               given.
+///   tips        If the tip diameter of a ring is not given, the tips stay 0.02 m_n above the root
+///               ends of the flanks of the mating gears. Any other tip with a clearance of less
+///               than 0.1 m_n is lowered by the tip shortening k m_n.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
 
 /// Returns the graph with new thickness allowances for the gears of all meshes with a
-/// DriveMesh::backlash. With these allowances, every such mesh has its backlash. If a gear is
-/// in several such meshes, the mesh with the least thinning comes first, and its thinning is
-/// divided equally between its two gears. In each of the other meshes, the other gear gets the
-/// rest of the thinning.
+/// DriveMesh::backlash. With these allowances, every such mesh has its backlash. If a gear belongs
+/// to several such meshes, the mesh with the least thinning comes first, and its thinning is
+/// divided equally between its two gears. In each of the other meshes, the second gear gets the
+/// remaining thinning of the mesh.
 ///
 /// Formula   dt/dj_n = cos α_wn/cos α_n for t = −(E_sn,a + E_sn,b); [T9.13]
 /// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last
-///           mesh follows from the others
-/// Accuracy  |j_n − backlash| < 1e-9 mm, if all teeth can be made as thin as this requires
+///           mesh follows from the backlash of the other meshes
+/// Accuracy  |j_n − backlash| < 1e-9 mm, if all teeth can be made thin enough
 DriveGraph with_backlash(DriveGraph graph);
 
 /// Position of a planet in the frame of its carrier.
 struct RiderPlace {
   double distance;  ///< from the axis of the carrier to the axis of the planet  mm
-  double angle;     ///< angle of copy 0, counter-clockwise from copy 0 of the first rider rad
+  double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
 };
 
-/// Computes the positions of the planets of a group from the centre distances of their meshes. The
-/// order is the order of PlanetGroup::riders. None if a distance is missing, or if an idler has no
-/// possible position (`fault` gives the reason).
+/// Computes the positions of the planets of a group from the centre distances of their meshes, in
+/// the order of PlanetGroup::riders. Returns none if a distance is missing, or if an idler has no
+/// possible position. In the second case, `fault` gives the reason.
 std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault);
@@ -86,28 +90,30 @@ struct Neighbours {
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
-/// The clearance between planets, and the greatest number of planets. None if a distance or a gear
-/// is missing, or if an idler has no possible position (`fault` gives the reason).
+/// Computes the clearance between planets, and the greatest number of planets. Returns none if a
+/// distance or a gear is missing, or if an idler has no possible position. In the last case,
+/// `fault` gives the reason.
 ///
-/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours at the distance a from the carrier's axis
-///           and the angle Δ from each other; if the distances of the riders differ, the gap
-///           between their tips is computed in polar coordinates; N_max = floor(π/asin(d_a/2a));
+/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours at the distance a from the axis of the
+///           carrier, at an angle Δ between them. If the distances of the riders differ, the gap
+///           between their tips is computed in polar coordinates. N_max = floor(π/asin(d_a/2a));
 ///           [T13.15b]
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault);
 
-/// j_bt, the backlash of a mesh along the transverse line of action, mm; none without involute
-/// teeth.
+/// Returns j_bt, the backlash of a mesh along the transverse line of action, mm, or none without
+/// involute teeth.
 ///
 /// Formula   [T2.24], [T2.37]; j_bt = j_n cos α_wn/cos β_b
 std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh);
 
-/// Ratio of tooth thickness to pitch on the working pitch circle of gear 1 or 2 of a pair.
+/// Returns the ratio of tooth thickness to pitch on the working pitch circle of gear 1 or 2 of a
+/// pair.
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
 double thickness_share(const InvolutePair& pair, int which);
-/// Ratio of tooth thickness to pitch on the reference circle of the pinion of a rack.
+/// Returns the ratio of tooth thickness to pitch on the reference circle of the pinion of a rack.
 double thickness_share(const RackPair& pair);
 
 }  // namespace gearwright

@@ -136,7 +136,8 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
 }
 
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
-  // Riders that mesh with each other form a group. A group is numbered by its first rider.
+  // Planets that mesh with each other form a group. The number of a group is the index of its first
+  // body.
   std::vector<std::size_t> group(graph.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) group[i] = i;
   for (const DriveMesh& mesh : graph.meshes) {

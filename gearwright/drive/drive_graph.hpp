@@ -25,16 +25,16 @@ namespace gearwright {
 
 /// Arrangement of the copies of a planet around the carrier.
 enum class Spacing {
-  nearest,        ///< equal pitch if the planets can then be assembled, otherwise the nearest
-                  ///< places
+  nearest,        ///< equal pitch if this is possible; otherwise the nearest places
   equal,          ///< equal pitch; an error if the planets cannot be assembled at equal pitch
-  equal_clocked,  ///< equal pitch; the two gears of a stepped planet are clocked to fit its place
+  equal_clocked,  ///< equal pitch; the angle between the gears of each stepped planet fits its
+                  ///< place
   opposite,       ///< pairs of opposite planets
 };
 
 struct DriveBody {
   std::string name;
-  std::optional<std::size_t> carrier;  ///< the body on which it rides
+  std::optional<std::size_t> carrier;  ///< the body on which this body turns
   int count = 1;                       ///< N, number of copies of a rider
   std::vector<double> positions_deg;   ///< angle of each copy; if empty, `spacing` is used
   std::optional<Spacing> spacing{};    ///< by default DriveGraph::spacing
@@ -45,7 +45,8 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  std::optional<RackBar> rack{};        ///< set if the gear is a rack; its body has the speed v/p_t
+  std::optional<RackBar> rack{};        ///< set if the gear is a rack; the speed of its body is
+                                        ///< v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
@@ -54,7 +55,7 @@ struct DriveGear {
 
   bool is_ring() const { return teeth < 0; }
   double side() const { return side_of(teeth); }  ///< σ  +1 external, −1 ring
-  /// The coefficient of the gear in [T13.1]: z, or −1 for a rack.
+  /// Returns the coefficient of the gear in [T13.1], which is z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
   /// E_sn  mm.   Domain  a rack, or a gear with `spec`
   double thickness_allowance() const {
@@ -70,12 +71,12 @@ struct DriveMesh {
   std::array<std::size_t, 2> gears{};
   std::optional<double> efficiency;  ///< η with the frame at rest; by default computed from μ
   std::optional<double> center_distance;  ///< a  mm
-  /// Direction from the axis of the first gear to the axis of the second, as an angle
-  /// counter-clockwise. It applies only to meshes in the housing, because planets are placed by
-  /// their spacing. If no direction is given, the shafts are in one line.
+  /// Direction from the axis of the first gear to the axis of the second gear, as an angle
+  /// counter-clockwise. The direction applies only to meshes in the housing, because the spacing
+  /// determines the positions of planets. Without a direction, the shafts are in one line.
   std::optional<Angle> direction{};
   std::optional<double> friction{};  ///< μ; by default DriveGraph::friction
-  std::optional<double> backlash{};  ///< j_n  mm, for which the teeth of both gears are thinned
+  std::optional<double> backlash{};  ///< j_n  mm; the teeth of both gears are thinned to obtain it
   bool backlash_is_mean = false;     ///< true if `backlash` is the mean of a given band
 };
 
@@ -97,44 +98,45 @@ struct DriveGraph {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];
   }
   const DriveBody& body(const DriveGear& gear) const { return bodies[gear.body]; }
-  /// The carrier that is the frame of a mesh; none if the frame is the housing.   Domain  a checked
-  /// graph
+  /// Returns the carrier that is the frame of a mesh, or none if the frame is the housing.   Domain
+  ///  a checked graph
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
-  /// Number of copies of a mesh: the number of copies of its planets, or 1 if it has no planets.
+  /// Returns the number of copies of a mesh. This is the number of copies of its planets, or 1
+  /// without planets.
   int copies(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;
-  /// True if a rack is on the body, which then moves instead of turning.
+  /// True if the body carries a rack. Such a body moves instead of turning.
   bool moves(std::size_t body) const;
 };
 
 /// Checks that the graph describes a possible drive.
 ///
-/// Errors    `drive.mesh`, for example if the planets of a mesh are on two carriers, or if a
-///           rack does not mesh with an external gear in the housing; `drive.gear` if a gear
-///           has no teeth, if a planet has a rack, or if a double-helical gear has staggered
-///           halves or an impossible gap; `drive.body`, for example if a body is its own
-///           carrier
+/// Errors    `drive.mesh`, for example if the planets of a mesh are on two carriers, or if a rack
+///           does not mesh with an external gear in the housing; `drive.gear` if a gear has no
+///           teeth, if a planet has a rack, or if a double-helical gear has staggered halves or an
+///           impossible gap; `drive.body`, for example if a body is its own carrier
 std::optional<Error> check_graph(const DriveGraph& graph);
 
-/// A planet, or several planets of one carrier that mesh with each other, and all their meshes. All
-/// bodies of a group have the same number of copies.
+/// A planet with all its meshes, or several planets of one carrier that mesh with each other, with
+/// all their meshes. All bodies of a group have the same number of copies.
 struct PlanetGroup {
   std::size_t carrier;
   std::vector<std::size_t> riders;  ///< indices of the bodies
   std::vector<std::size_t> meshes;
   int count;  ///< N
 
-  /// Number of pins, N for each rider.
+  /// Returns the number of pins. There are N pins for each rider.
   std::size_t pins() const { return riders.size() * static_cast<std::size_t>(count); }
 };
 
-/// The groups in the order of their first riders.   Domain  a checked graph
+/// Returns the groups in the order of their first riders.   Domain  a checked graph
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph);
 
-/// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None if
-/// the body has no rack or the module is unknown. The graph counts the motion of a rack in pitches,
-/// because its body moves by one pitch for each tooth of the pinion.
+/// Returns the transverse pitch p_t of the rack on a body, mm, computed from the module of the
+/// pinion. Returns none if the body has no rack or the module is unknown. In the graph, the unit of
+/// the motion of a rack is one pitch, because the rack moves by one pitch for each tooth of the
+/// pinion.
 std::optional<double> rack_pitch(const DriveGraph& graph, std::size_t body);
 
 }  // namespace gearwright

@@ -16,7 +16,7 @@ constexpr double kMeets = 1e-6;  // allowed rounding error of a phase, rad; one 
 
 double direction(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
-// Difference of a phase from a whole number of periods, −π … π.
+// Returns the difference of a phase from the nearest whole number of periods, −π … π.
 double off_phase(double phase) { return std::remainder(phase, kTurn); }
 
 class Layout {
@@ -42,7 +42,7 @@ class Layout {
 
  private:
   // Turns a rack towards its pinion, and moves it along its datum line by φ/2π pitches. If the
-  // number of teeth is even, the middle of the rack is a space and not a tooth.
+  // number of teeth is even, a space is in the middle of the rack.
   void place_rack(PlacedGear& rack, double phi) {
     const RackGeometry& bar = rack_pair_of(drive_, rack.gear)->rack;
     const Vec2 up = pinion_axis(rack.gear) - rack.axis;
@@ -58,8 +58,8 @@ class Layout {
     contract_failed("precondition", "a rack meshes with a pinion", __FILE__, __LINE__);
   }
 
-  // The number of teeth in the equation of a mesh. A rack counts as a gear with one tooth, and
-  // its angle is 2π per pitch.
+  // Returns the number of teeth in the equation of a mesh. A rack counts as a gear with one tooth,
+  // and its angle is 2π per pitch of travel.
   int teeth_of(std::size_t gear) const {
     return graph_.gears[gear].rack ? 1 : graph_.gears[gear].teeth;
   }
@@ -93,7 +93,7 @@ class Layout {
     return two;
   }
 
-  // z_a (θ_a − φ_a) + z_b (θ_b − φ_b) − π, which is 0 when the teeth mesh. [T13.15c]
+  // Returns z_a (θ_a − φ_a) + z_b (θ_b − φ_b) − π, a multiple of 2π if the teeth mesh. [T13.15c]
   double mesh_phase(const std::array<std::size_t, 2>& two) const {
     const PlacedGear &a = made_.gears[two[0]], &b = made_.gears[two[1]];
     const int z_a = teeth_of(a.gear), z_b = teeth_of(b.gear);
@@ -115,8 +115,8 @@ class Layout {
   }
 
   std::optional<Error> find_angles() {
-    // Each gear on a fixed axis, and each gear on copy 0 of a planet, is turned until its teeth
-    // mesh with one gear whose angle is already known.
+    // The function turns each gear on a fixed axis, and each gear on copy 0 of a planet, until its
+    // teeth mesh with a gear whose angle is already known.
     for (std::size_t root = 0; root < graph_.gears.size(); ++root) {
       if (known_[first_[root]]) continue;
       known_[first_[root]] = 1;
@@ -144,8 +144,8 @@ class Layout {
     return std::nullopt;
   }
 
-  // Gives the gears of a copy the angles of copy 0, rotated about the carrier's axis. Each
-  // planet is then turned about its own axis until its teeth mesh.
+  // Gives the gears of a copy the angles of copy 0, rotated about the carrier's axis. Then each
+  // planet is turned about its own axis until its teeth mesh.
   bool turn_copy(const PlanetSet& set, int copy) {
     const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
@@ -157,12 +157,12 @@ class Layout {
   }
 
   // Turns planet k and the following planets until all their teeth mesh. Returns false if this is
-  // not possible. The first mesh of planet k with a gear that is already placed allows z angles,
-  // which are tried one by one.
+  // impossible. The first mesh of planet k with a gear that is already placed permits z angles. The
+  // function tries these angles one after another.
   bool turn_rider(const PlanetSet& set, int copy, std::size_t k) {
     if (k == set.group.riders.size()) return true;
     const std::size_t body = set.group.riders[k];
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // placed gears, side
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // placed gears; side
                                                                              // of the rider
     for (const std::size_t m : set.group.meshes) {
       const auto two = placed(graph_.meshes[m], copy);
@@ -172,7 +172,7 @@ class Layout {
       }
     }
     if (meshes.empty()) return turn_rider(set, copy, k + 1);
-    if (!set.assembly.clocking.empty()) {  // the gears of a clocked planet have separate angles
+    if (!set.assembly.clocking.empty()) {  // each gear of a clocked planet has its own angle
       for (const auto& [two, side] : meshes) meet(two, side);
       return turn_rider(set, copy, k + 1);
     }
@@ -200,8 +200,8 @@ class Layout {
       if (graph_.gears[g].body == body) phi_[first_[g] + static_cast<std::size_t>(copy)] += angle;
   }
 
-  // Places the slots one after the other. The width of a slot is the greatest face width of
-  // those gears that are in no other slot. If there are no such gears, it is the greatest face
+  // Places the slots one after the other. The width of a slot is the greatest face width of the
+  // gears that are only in this slot. If there are no such gears, the width is the greatest face
   // width of all gears in the slot.
   void find_heights() {
     const auto& slots = made_.places.slots;
@@ -255,7 +255,7 @@ class Layout {
   std::vector<char> known_;
 };
 
-// The least T > 0 for which a T is a whole number for every speed a. T is the least common
+// Returns the least T > 0 for which a T is a whole number for every speed a. T is the least common
 // multiple of the denominators of the speeds, divided by the greatest common divisor of their
 // numerators.
 std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
@@ -338,7 +338,7 @@ std::optional<Rational> turns_until_alike(const Drive& drive) {
     if (!drive.graph.bodies[gear.body].carrier)
       whole.push_back(speed(gear.body) * Rational(gear.teeth));
   for (const PlanetSet& set : drive.sets) {
-    // Equally spaced planets with a single gear are interchangeable.
+    // Equally spaced planets that have only one gear are interchangeable.
     std::size_t gears = 0;
     for (const DriveGear& gear : drive.graph.gears)
       if (drive.graph.bodies[gear.body].carrier == set.group.carrier) ++gears;

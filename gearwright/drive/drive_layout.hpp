@@ -1,14 +1,14 @@
-// Computes the layout of an assembled drive, and its motion. The positions and angles of all gears
-// are such that all teeth mesh.
+// Computes the layout of an assembled drive, and the motion of the drive. In the layout, the
+// positions and angles of the gears are such that all teeth mesh.
 //
 //   θ_a, θ_b   direction of the contact as seen from the axes of gears a and b
 //   φ          angle of a gear's x axis, the centre line of its tooth 0
 //
-// A tooth of one gear is opposite a space of the other, in the middle of the backlash:
+// A tooth of one gear is opposite a space of the mating gear, in the middle of the backlash:
 //
 //   z_a (θ_a − φ_a) + z_b (θ_b − φ_b) ≡ π  mod 2π,   z < 0 for a ring                [T13.15c]
 //
-// A rack counts as a gear with z_b = 1 and θ_b = 0 that is displaced by φ_b/2π pitches along the y
+// A rack counts as a gear with z_b = 1 and θ_b = 0. It is displaced by φ_b/2π pitches along the y
 // axis of its frame (pair/rack_pair.hpp).
 //                                              theory: docs/theory/13-drives.md
 #pragma once
@@ -39,9 +39,10 @@ struct DriveLayout {
   std::vector<PlacedGear> gears;       ///< all copies, in the order of gear and copy
   std::vector<DriveSection> sections;  ///< one for each slot
 
-  /// φ of a placed gear at a height.
+  /// Returns φ of a placed gear at a height.
   double angle_at(const Drive& drive, std::size_t placed, double height) const;
-  /// The axis of a placed gear, or the middle of the datum line of a rack at a height.  mm
+  /// Returns the axis of a placed gear, mm. For a rack, returns the middle of its datum line at the
+  /// height.
   Vec2 axis_at(const Drive& drive, std::size_t placed, double height) const;
 };
 
@@ -51,18 +52,18 @@ struct DriveLayout {
 ///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be mounted
 Result<DriveLayout> drive_layout(const Drive& drive);
 
-/// The unit vector along a placed rack. A pinion that turns counter-clockwise moves the rack in the
-/// opposite direction.
+/// Returns the unit vector along a placed rack. If the pinion turns counter-clockwise, the rack
+/// moves opposite to this vector.
 Vec2 along_rack(const PlacedGear& rack);
 
-/// The same layout after a number of turns of the first input.
+/// Returns the layout after a number of turns of the first input.
 ///
 /// Domain    one input, or given speeds of all inputs (contract)
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns);
 
-/// Least number of turns of the input after which the drive looks the same. This means that all
-/// gears have moved by whole teeth, and that equally spaced planets may have changed places
-/// with each other. None with several inputs, or if there is no such number.
+/// Returns the least number of turns of the input after which the drive looks the same. All gears
+/// have then moved by whole teeth, but equally spaced planets may have changed places with each
+/// other. Returns none with several inputs, or if there is no such number.
 std::optional<Rational> turns_until_alike(const Drive& drive);
 
 }  // namespace gearwright

@@ -32,8 +32,8 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// Names the meshes that lock the drive, for example "a_b, c_d". The drive can turn if a single one
-// of these meshes is removed.
+// Names the meshes that lock the drive, for example "a_b, c_d". If any one of these meshes is
+// removed, the drive can turn.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {
@@ -156,8 +156,8 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
                              "would contradict each other; leave out {} of the inputs",
                              inputs, freedom, freedom == 1 ? "" : "s", inputs - freedom)};
 
-  // Solves for ω of every body, once for each input. The right-hand sides are additional columns of
-  // the matrix.
+  // Solves for ω of every body, once for each input. Each input has its own right-hand side, which
+  // is an additional column of the matrix.
   add_unit_rows(rows, graph.inputs, n);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     rows[r].resize(n + inputs);

@@ -8,8 +8,8 @@
 //   i      = n_in/n_out, signed [T13.3]
 //                                              theory: docs/theory/13-drives.md
 //
-// In the frame of a mesh, the working pitch circles roll on each other whatever the shifts and the
-// centre distance are. Therefore, W depends only on the tooth numbers.
+// In the frame of a mesh, the working pitch circles roll on each other. This is true for any shifts
+// and any centre distance, so W depends only on the numbers of teeth.
 #pragma once
 
 #include <optional>
@@ -27,15 +27,15 @@ struct DriveMotion {
   std::vector<std::vector<Rational>> speeds;
   std::optional<Rational> ratio;   ///< i; none with several inputs
   std::optional<Rational> period;  ///< turns of the input after which all positions repeat
-  /// Meshes of closed loops that can move. Any single mesh of such a loop could be removed without
-  /// a change of the speeds. The torques of these meshes depend on the compliance of the loop.
+  /// Meshes of closed loops that can move. If any single mesh of such a loop is removed, the speeds
+  /// do not change. The torques of these meshes depend on the compliance of the loop.
   std::vector<std::size_t> redundant;
 
-  /// ω of a body for given speeds of the inputs, in the same unit.
+  /// Returns ω of a body for given speeds of the inputs, in the unit of these speeds.
   double speed(std::size_t body, const std::vector<double>& inputs) const;
 };
 
-/// The row of a mesh in W.   Domain  a checked graph
+/// Returns the row of a mesh in W.   Domain  a checked graph
 std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
 /// Computes the speeds of all bodies, the ratio and the degrees of freedom.
@@ -43,10 +43,10 @@ std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 /// Formula   W ω = 0, ω = 0 for fixed bodies, solved for each input with the speed 1;
 ///           [T13.1]…[T13.5]
 /// Domain    a checked graph with at least one input (contract)
-/// Errors    `drive.fixed` if the drive is locked (the meshes that lock it are named) or its speeds
+/// Errors    `drive.fixed` if the drive is locked, with the meshes that lock it, or if its speeds
 ///           are undetermined; `drive.input`, `drive.output` if the body is fixed or does not
-///           rotate, or if the speeds of the inputs contradict each other; `drive.gear` if a
-///           ratio needs more than 127 bits
+///           rotate, or if the speeds of the inputs contradict each other; `drive.gear` if a ratio
+///           needs more than 127 bits
 Result<DriveMotion> drive_motion(const DriveGraph& graph);
 
 }  // namespace gearwright

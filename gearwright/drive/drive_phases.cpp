@@ -11,8 +11,8 @@ namespace {
 
 using Flanks = std::array<FlankModifications, 2>;
 
-// The flanks of a gear of a mesh. If the gear is seen from the other face, it turns in the opposite
-// direction, and its right flank becomes its left flank.
+// Returns the flanks of a gear of a mesh. Seen from the other face, the gear turns in the opposite
+// direction, and its right and left flanks are exchanged.
 std::optional<Flanks> flanks_of(const DriveGear& gear, bool turned_over) {
   const Flanks& flanks = gear.modifications;
   if (!turned_over) return flanks;
@@ -60,7 +60,7 @@ void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
 
 namespace {
 
-// The thickness of the tooth of one gear of a mesh, as a share of the pitch.
+// Returns the tooth thickness of one gear of a mesh, divided by the pitch.
 double share_of(const Drive& drive, std::size_t m, int side) {
   const auto& rack = drive.geometry.racks[m];
   return rack ? thickness_share(*rack) : thickness_share(*drive.geometry.involutes(m), side + 1);
@@ -75,9 +75,9 @@ std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool 
                       share_of(drive, m, side) / 2);
 }
 
-// Computes the delays of all meshes that move the output. The delay of a mesh follows from the
-// delay of another mesh with which it shares a gear. Returns false if the place of a planet is
-// unknown, or if several meshes share a rack.
+// Computes the delays of all meshes that move the output. If two meshes share a gear, the delay of
+// one mesh follows from the delay of the other. Returns false if the place of a planet is unknown,
+// or if several meshes share a rack.
 bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive.graph;
   const std::size_t none = phases.size();

@@ -1,4 +1,4 @@
-// Computes which gear of each mesh drives, and the delay of each mesh and each planet.
+// Computes which gear of each mesh drives, and the delays of the meshes and of the planets.
 //
 //   t      time in periods of the mesh, 0 when the loaded flanks of planet 0 touch at the pitch
 //          point
@@ -17,69 +17,72 @@
 
 namespace gearwright::detail {
 
-/// The phase of a mesh. The curve of a mesh is a function of the rotation x of gear 1, in pitches
+/// The phase of a mesh. The curve of a mesh is a function of x, the rotation of gear 1 in pitches
 /// from the centre line. The mesh reaches x at the time x − event + time + γ_i.
 struct MeshPhase {
   bool first_drives = true;
   /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis requires
-  /// that gear 1 turns clockwise, so the mesh is then analysed as seen from the other face.
+  /// that gear 1 turns clockwise. If `turned` is true, the mesh is therefore analysed as seen from
+  /// the other face.
   bool turned = false;
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
   double time = 0.0;             ///< delay after the first mesh of the same frequency, in periods
-  std::size_t first = 0;         ///< first mesh of the same frequency; for an idle mesh, itself
-  double sense = 1.0;            ///< −1 if the delays of the planets have the opposite sign
+  std::size_t first = 0;         ///< first mesh of the same frequency; an idle mesh has its own
+                                 ///< index here
+  double sense = 1.0;            ///< −1 if the delays of the planets are −γ_i
   std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
 
   bool idle() const { return weight == 0.0; }  ///< true if the mesh does not move the output
 };
 
-/// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
+/// Returns ω of a body relative to the frame of the mesh.   Domain  one input (contract)
 double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 
-/// True if the first gear of the mesh drives. `load` is the lossless load of the mesh per unit
-/// torque on the input. It is used only if the drive has no power flow.
+/// True if the first gear of the mesh drives. If the drive has no power flow, the function uses
+/// `load`, the lossless load of the mesh per unit torque on the input.
 ///
 /// Domain    one input (contract)
 bool first_drives(const Drive& drive, std::size_t mesh, double load);
 
-/// The time at which the loaded flank of a gear passes the pitch point, in periods [T13.17].
-/// The sign of `turning` is the sense of rotation of the gear in the frame of the mesh. `theta`
-/// is the direction to the mesh in turns, and `half` is half of the tooth thickness in pitches.
+/// Returns the time at which the loaded flank of a gear passes the pitch point, in periods
+/// [T13.17]. The sign of `turning` is the sense of rotation of the gear in the frame of the mesh.
+/// `theta` is the direction to the mesh in turns, and `half` is half of the tooth thickness in
+/// pitches.
 double passing_time(double turning, int teeth, double theta, bool drives, double half);
 
 /// Sets the delays γ of the copies of a planet, and their sign. A mesh between two planets has the
-/// same delays as the mesh of the same frequency between a planet and a central gear.
+/// delays of the mesh of the same frequency between a planet and a central gear.
 void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);
 
-/// The planet set that contains the mesh; null if there is none.
+/// Returns the planet set that contains the mesh, or null if there is none.
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
 
-/// The position of copy 0 of a body of the set in the frame of the carrier, mm. None if a centre
-/// distance is missing, or if an idler has no possible place.
+/// Returns the position of copy 0 of a body of the set in the frame of the carrier, mm. Returns
+/// none if a centre distance is missing, or if an idler has no possible place.
 std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
                                              std::size_t body);
 
-/// The direction from the axis of a gear to one of its meshes, for copy 0 of planets, in turns.
-/// None if place_of() returns none.
+/// Returns the direction from the axis of a gear to one of its meshes, in turns. For planets, copy
+/// 0 is used. Returns none if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes. None if a load exceeds the range of exact fractions, or if a mesh that
-/// moves the output has no involute teeth, has an idler without a possible place, or shares a rack
-/// with another such mesh.
+/// Returns the phases of all meshes. Returns none if a load exceeds the range of exact fractions.
+/// Also returns none if a mesh that moves the output has no involute teeth, has an idler without a
+/// possible place, or shares a rack with another such mesh.
 ///
-/// Formula   meshes that share a gear have one frequency, and the angle between them on the
-///           gear gives their phase [T13.17]
+/// Formula   meshes that share a gear have one frequency, and their phase follows from the angle
+///           between them on this gear [T13.17]
 /// Domain    one degree of freedom, independent meshes (contract)
 std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 
-/// The contact setup of a mesh with its modifications and errors of mounting. If `turned` is
-/// true, the setup shows the gears from the other face, so that gear 1 turns clockwise. None if
-/// the flanks cannot be computed, or if a measured gear is loaded on the flank without
-/// readings.
+/// Returns the contact setup of a mesh with its modifications and errors of mounting. If `turned`
+/// is true, the gears are seen from the other face, so that gear 1 turns clockwise. Returns none if
+/// the flanks cannot be computed, or if a measured gear is loaded on a flank without readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
-/// The same for the mesh of a pinion with a rack. Null if the flanks cannot be computed.
+/// Does the same for the mesh of a pinion with a rack. Returns null if the flanks cannot be
+/// computed.
 std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
                                                 const ContactErrors& errors,
                                                 const MeshPhase& phase);

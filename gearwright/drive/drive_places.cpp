@@ -41,8 +41,8 @@ class Placing {
   }
 
  private:
-  // Takes the centre distances from the geometry if all meshes are mounted. Otherwise, they are
-  // computed from the tooth numbers.
+  // If all meshes are mounted, the geometry gives the centre distances. Otherwise, the function
+  // computes them from the numbers of teeth.
   void measure() {
     const DriveGeometry& geometry = drive_.geometry;
     made_.true_scale = true;
@@ -71,7 +71,7 @@ class Placing {
   }
   bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
 
-  // Puts the central gears that mesh with a planet on the axis of the planet's carrier.
+  // Puts the central gears that mesh with a planet on the axis of the carrier of this planet.
   void join_coaxial() {
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b) axis_.push_back(b);
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
@@ -89,7 +89,7 @@ class Placing {
   struct Link {
     std::size_t mesh, to;
   };
-  // The axes that are linked with `axis` by a mesh in the housing.
+  // Returns the axes that meshes in the housing link with `axis`.
   std::vector<Link> links_of(std::size_t axis) const {
     std::vector<Link> links;
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
@@ -118,8 +118,8 @@ class Placing {
           placed[link.to] = 1;
         }
       }
-      // If one shaft follows, it continues the line. If several shafts follow, they are placed at
-      // equal angles, and none of them lies towards the previous shaft.
+      // A single following shaft continues the line. Several following shafts are placed at equal
+      // angles, and none of them lies towards the previous shaft.
       const auto ways = static_cast<double>(fresh.size() + (from == first ? 0 : 1));
       for (std::size_t k = 0; k < fresh.size(); ++k) {
         const auto [mesh, to] = fresh[k];
@@ -173,8 +173,8 @@ class Placing {
     });
   }
 
-  // True if a gear would overlap with a rack, which moves along its whole datum line. Two racks
-  // always overlap unless they are on opposite sides of their pinions.
+  // True if a gear would overlap a rack, which moves along its whole datum line. Two racks always
+  // overlap unless they are on opposite sides of their pinions.
   bool beside_rack(std::size_t rack, std::size_t other) const {
     const auto towards_pinion = [&](std::size_t g) {
       const auto mesh = std::find_if(graph_.meshes.begin(), graph_.meshes.end(),
@@ -191,7 +191,7 @@ class Placing {
     return height < made_.radii[rack] + made_.radii[other];
   }
 
-  // True if two gears would overlap in one plane.
+  // True if two gears in the same plane would overlap.
   bool in_the_way(std::size_t g, std::size_t h) const {
     if (g == h || meshed(g, h)) return false;
     const DriveGear &a = graph_.gears[g], &b = graph_.gears[h];
@@ -227,9 +227,9 @@ class Placing {
     return false;
   }
 
-  // Assigns to each mesh the first slot in which its gears do not overlap with the gears that
-  // are already there. This slot is not before the slot of any earlier mesh with which the mesh
-  // shares an axis.
+  // Assigns a slot to each mesh. The slot is the first one in which the gears of the mesh do not
+  // overlap the gears already in the slot. If an earlier mesh shares an axis with this mesh, the
+  // slot is not before the slot of the earlier mesh.
   void find_slots() {
     made_.slots.assign(graph_.gears.size(), {-1, -1});
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
@@ -259,7 +259,7 @@ class Placing {
   const DriveGraph& graph_;
   DrivePlaces made_;
   std::vector<std::optional<double>> distances_;
-  std::vector<std::size_t> axis_;  // for each body: the least index of the bodies on its axis
+  std::vector<std::size_t> axis_;  // for each body: the least index of a body on the same axis
 };
 
 }  // namespace
@@ -294,7 +294,7 @@ std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces&
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
     const DriveGear& gear = graph.gears[g];
     if (gear.is_ring() || gear.rack || !turns_in_housing(gear.body)) continue;
-    std::vector<Vec2> named;  // the axes that already have a note; coaxial bodies have one shaft
+    std::vector<Vec2> named;  // the axes that already have a note; coaxial bodies share one note
     for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
       const Vec2 axis = places.axes[b];
       const double apart = (axis - places.axes[gear.body]).norm();

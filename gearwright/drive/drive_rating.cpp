@@ -24,8 +24,8 @@ RatingInput of_gear_use(RatingInput input, const FlankUse& use) {
   return input;
 }
 
-// Joins the values of gear 1 from `one` and of gear 2 from `two`. All other values are equal in
-// both ratings.
+// Combines the values of gear 1 from `one` and of gear 2 from `two`. All other values are the same
+// in both ratings.
 Rating joined(Rating one, const Rating& two) {
   for (FactorPair Rating::*pair :
        {&Rating::Z_B,      &Rating::Z_NT,     &Rating::Z_L_at_N,     &Rating::Z_v_at_N,

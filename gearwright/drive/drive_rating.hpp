@@ -1,14 +1,13 @@
-// Rates the strength of the meshes of a drive by ISO 6336. Each mesh is rated as a pair in the
-// frame of its carrier.
+// Rates the strength of the meshes of a drive according to ISO 6336. Each mesh is rated as a pair
+// in the frame of its carrier.
 //
-//   T_1    z_1 λ T_in/N: the torque on gear 1 in a single copy of a mesh, if the mesh has N copies;
-//          λ is the tooth load of drive/power_flow.hpp
+//   T_1    z_1 λ T_in/N, the torque on gear 1 in one copy of a mesh with N copies; λ is the tooth
+//          load of drive/power_flow.hpp
 //   n_1    speed of gear 1 minus speed of the carrier
 //                                              theory: docs/theory/11-rating.md, 13-drives.md
 //
-// A tooth of a central gear engages with N planets per turn. The teeth of a gear that drives in one
-// mesh and is driven in another, such as a planet between sun and ring, are bent in both
-// directions.
+// Per turn, a tooth of a central gear engages with N planets. A planet between a sun and a ring is
+// driven in one mesh and drives in the other. The teeth of such a gear are bent in both directions.
 #pragma once
 
 #include <functional>
@@ -23,15 +22,16 @@ struct DriveLoad {
   double torque = 0.0;          ///< T  N m, on the first input, > 0
   std::optional<double> speed;  ///< n  1/min, of the first input; if absent, meshes are rated
                                 ///<    without speed
-  RatingInput common;           ///< all other inputs; K_γ is used only for meshes with N > 1
+  RatingInput common;           ///< all other inputs; K_γ applies only to meshes with N > 1
   std::vector<double> mesh_load_factors{};  ///< K_γ of each mesh; if empty, K_γ of `common` is used
-  const char* factor_origin = nullptr;      ///< origin of `mesh_load_factors`, if not the user
+  const char* factor_origin = nullptr;      ///< source of `mesh_load_factors`; null if the user
+                                            ///< gives them
 };
 
 /// A function that returns the material of a gear, by its index in the graph.
 using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
 
-/// The inputs of a mesh for its rating as a pair, without the materials.
+/// Returns the inputs of a mesh for its rating as a pair, without the materials.
 ///
 /// Domain    a drive that is not self-locking and has a power flow (contract)
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
@@ -43,24 +43,24 @@ struct FlankUse {
   bool both = false;
 };
 
-/// The use of the flanks of gear a (side 0) or gear b (side 1) of a mesh.
+/// Returns the use of the flanks of gear a (side 0) or gear b (side 1) of a mesh.
 ///
 /// Domain    a drive that is not self-locking and has a power flow (contract)
 FlankUse flank_use(const Drive& drive, std::size_t mesh, int side);
 
-/// The ratings of all meshes; none for a mesh that carries no load or has no pair.
+/// Returns the ratings of all meshes, with none for a mesh that carries no load or has no pair.
 ///
 /// Errors    `drive.mesh` if teeth are circular arcs, if there is no power flow or if the drive is
-///           self-locking; as rate(), with the name of the mesh
+///           self-locking; the errors of rate(), with the name of the mesh
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);
 
-/// The least S_H or S_F of all meshes; none if no mesh is rated.
+/// Returns the least S_H or S_F of all meshes, or none if no mesh is rated.
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
 
-/// The greatest specific sliding |ζ| at the ends of the paths of all meshes of two involute gears;
-/// infinite if a path ends at a base circle. None without such meshes.
+/// Returns the greatest specific sliding |ζ| at the ends of the paths of all meshes of two involute
+/// gears. It is infinite if a path ends at a base circle. Returns none without such meshes.
 std::optional<double> greatest_sliding(const DriveGeometry& geometry);
 
 }  // namespace gearwright

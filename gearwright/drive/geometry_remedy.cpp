@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// The greatest differences from the nominal values that are tried. For teeth of the usual height,
-// all possible differences are smaller.
+// The greatest differences from the nominal values that are tried. Teeth of usual height do not
+// permit greater differences.
 constexpr int kMostTeeth = 40;
 constexpr double kMostDistance = 10.0;  // m_n
 
@@ -37,8 +37,8 @@ bool is_possible(const DriveGraph& graph) {
   return true;
 }
 
-// The index (0 or 1) of the planet in a mesh of a planet with a central gear. None for any other
-// mesh.
+// Returns the index (0 or 1) of the planet in a mesh of a planet with a central gear. Returns none
+// for any other mesh.
 std::optional<int> planet_of(const DriveGraph& graph, std::size_t mesh) {
   const auto rides = [&](int which) {
     return graph.body(graph.gear(graph.meshes[mesh], which)).carrier.has_value();
@@ -130,8 +130,8 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
 
 namespace {
 
-// The changes with which the mesh and the whole drive become possible, as a sentence; empty if
-// no such change is found.
+// Returns the changes with which the mesh and the whole drive are possible, as a sentence. The text
+// is empty if no such change is found.
 std::string changes_for(const DriveGraph& graph, std::size_t m) {
   const auto same = with_same_distance(graph, m);
   const bool given = std::any_of(same.begin(), same.end(), [&](std::size_t k) {
@@ -146,8 +146,8 @@ std::string changes_for(const DriveGraph& graph, std::size_t m) {
   std::string text = fmt::format("{} = {}", name, teeth->least);
   if (teeth->greatest > teeth->least) text += fmt::format(" to {}", teeth->greatest);
   text += " is possible.";
-  // If a planet with only one gear meshes with a sun and this ring, the text also names the usual
-  // number of teeth of the ring. Without profile shifts, z_r = z_s + 2 z_p.
+  // If a planet with a single gear meshes with a sun and this ring, the text also names the usual
+  // number of teeth of the ring. Without profile shifts, this number is z_r = z_s + 2 z_p.
   for (const std::size_t k : same) {
     const auto planet = planet_of(graph, k);
     if (k == m || !planet || graph.gears[teeth->gear].teeth > 0) continue;
@@ -184,8 +184,9 @@ DriveGeometry with_backlash_of(DriveGraph given, std::size_t m, double backlash)
   return drive_geometry(with_backlash(given));
 }
 
-// "At most 3.371 mm is possible." The bisection begins at the backlash that the mesh has with
-// unchanged teeth. Empty if the other meshes make this backlash impossible too.
+// Returns, for example, "At most 3.371 mm is possible." The bisection begins at the backlash of the
+// mesh with unchanged teeth. The text is empty if the other meshes make even this backlash
+// impossible.
 std::string possible_backlash(const DriveGraph& given, std::size_t m, double natural) {
   const auto possible = [&](double backlash) {
     return with_backlash_of(given, m, backlash).touches(m);
@@ -214,13 +215,13 @@ bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeo
     if (natural && uncut->touches(m))
       blamed.push_back({m, possible_backlash(given, m, natural->normal)});
   }
-  // A mesh for which another backlash would be possible is the reason. If there is no such mesh,
+  // If another backlash is possible for a mesh, this mesh is the reason. If there is no such mesh,
   // all meshes in `blamed` are the reason.
   const auto has_limit = [](const Blame& blame) { return !blame.limit.empty(); };
   if (std::any_of(blamed.begin(), blamed.end(), has_limit))
     std::erase_if(blamed, [&](const Blame& blame) { return !has_limit(blame); });
-  // A fault that the teeth do not have without the thinning is caused by the thinning. It is
-  // removed, because the fault of the mesh explains it.
+  // If a fault occurs only with the thinned teeth, the thinning causes it. Such a fault is removed,
+  // because the fault of the mesh already explains it.
   if (!blamed.empty())
     std::erase_if(made.faults, [&](const GeometryFault& fault) {
       return std::none_of(uncut->faults.begin(), uncut->faults.end(),

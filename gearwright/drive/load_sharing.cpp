@@ -13,11 +13,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Additional stiffness, relative to the greatest one, which holds bodies that no spring
-/// touches. It changes only the steps and not the solution.
+/// An additional stiffness, relative to the greatest one. It holds bodies that no spring touches.
+/// The stiffness affects the steps, but not the solution.
 constexpr double kHold = 1e-12;
-/// If the slope of the energy changes its sign in a step and exceeds this fraction of the slope
-/// before the step, the step has passed the minimum.
+/// If a step changes the sign of the energy's slope, and if the new slope exceeds this fraction of
+/// the old slope, the step has passed the minimum.
 constexpr double kPast = 0.1;
 constexpr int kHalvings = 60;
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
@@ -25,7 +25,7 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 struct State {
   VectorXd gradient;      // Σ w F c − Q
   double scale = 0.0;     // greatest component of |Q| + Σ |w F c|
-  double rounding = 0.0;  // effect of the rounding errors of the approaches on the forces
+  double rounding = 0.0;  // error of the forces due to the rounding of the approaches
 };
 
 double approach_of(const SharingProblem::Spring& s, const VectorXd& x) {
@@ -92,8 +92,8 @@ SharingSolution share_load(const SharingProblem& problem, VectorXd start) {
 }
 
 SharingSolution share_load(const SharingProblem& problem) {
-  // The start is the least-squares solution for the displacements at which the springs carry their
-  // nominal forces.
+  // The iteration starts from the displacements at which the springs carry their nominal forces, in
+  // the sense of least squares.
   const auto count = static_cast<Eigen::Index>(problem.springs.size());
   MatrixXd rows(count, problem.load.size());
   VectorXd approaches(count);

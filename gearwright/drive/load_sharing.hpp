@@ -1,9 +1,9 @@
-// Computes the equilibrium of bodies between one-sided springs. The result shows how planets share
-// their load.
+// Computes the equilibrium of bodies between one-sided springs, which gives the load shares of
+// planets.
 //
 //   x      unknown displacements, mm     y = c·x + y_0   approach of a spring's bodies, mm
-//   F(δ)   force of a spring at the approach δ = y + e; F = 0 where its bodies do not touch
-//   Σ w F c = Q                                                        [T13.25]
+//   F(δ)   force of a spring at the approach δ = y + e; F = 0 if the bodies of the spring do not
+//   touch Σ w F c = Q                                                        [T13.25]
 //                                              theory: docs/theory/13-drives.md
 //
 // The solution is the minimum of a convex energy: Σ w ∫F dδ − Q·x. A body that no spring touches
@@ -22,7 +22,7 @@ struct SharingProblem {
     const LoadSpring* spring = nullptr;
     Eigen::VectorXd row;   ///< c, approach per displacement
     double offset = 0.0;   ///< y_0 + e  mm, the approach δ at x = 0
-    double weight = 1.0;   ///< w, which accounts for the losses in the springs before this one
+    double weight = 1.0;   ///< w; accounts for the losses in the preceding springs
     double nominal = 0.0;  ///< N, force at the start of the iteration
   };
   std::vector<Spring> springs;
@@ -44,8 +44,8 @@ struct SharingSolution {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// Greatest residual of a converged solution. The rounding errors of sums over some tens of springs
-/// are about a thousand times smaller.
+/// Greatest residual of a converged solution. Rounding errors in sums over some tens of springs are
+/// about a thousand times smaller.
 inline constexpr double kSharingResidual = 1e-11;
 inline constexpr int kSharingSteps = 200;
 
@@ -53,13 +53,13 @@ inline constexpr int kSharingSteps = 200;
 ///
 /// Formula   Newton steps with H = Σ w F′ c cᵀ; a step that passes the minimum along its
 ///           direction is halved; [T13.25]
-/// Laws      if all springs and Q are multiplied by a factor, all forces are multiplied by it;
-///           a linear problem takes one step
-/// Domain    weights > 0; forces ≥ 0 exist that balance Q, so Q is 0 in every direction that no
-///           spring resists (contract)
+/// Laws      a factor of all springs and of Q is also a factor of all forces; a linear problem
+///           takes one step
+/// Domain    weights > 0; some forces ≥ 0 balance Q, so Q is 0 in every direction that no spring
+///           resists (contract)
 SharingSolution share_load(const SharingProblem& problem);
 
-/// The same solution. The iteration starts from the given displacements.
+/// Returns the same solution, but starts the iteration from the given displacements.
 SharingSolution share_load(const SharingProblem& problem, Eigen::VectorXd start);
 
 }  // namespace gearwright::detail

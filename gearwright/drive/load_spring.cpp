@@ -9,8 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kSteepest = 3.0;  // greatest slope relative to the secant; with a greater slope,
-                                   // the curve might fall
+constexpr double kSteepest = 3.0;  // greatest slope, relative to the secant; a steeper curve might
+                                   // fall
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// Describes a mesh in one position as a spring: the force along the line of action as a function of
-// the approach of the teeth.
+// Describes a mesh in one position as a spring. The force of the spring along the line of action is
+// a function of the approach of the teeth.
 //
 //   δ      approach from the first touch, mm      F   force along the transverse line of action, N
 //   F(δ)   0 for δ ≤ 0, then a smooth rising curve through the nodes with their slopes [T13.24]
@@ -10,7 +10,7 @@
 
 namespace gearwright::detail {
 
-/// A load at which the contact was solved: approach, force, and slope dF/dδ.
+/// A load for which the contact was solved, with its approach, force, and slope dF/dδ.
 struct SpringNode {
   double approach;  ///< mm
   double force;     ///< N
@@ -25,18 +25,18 @@ class LoadSpring {
 
   /// The spring with F = k δ.
   static LoadSpring linear(double stiffness);
-  /// The spring through the nodes. They may be given in any order and are sorted. A node is left
-  /// out if its force or its approach does not exceed the value at the node before it.
+  /// Makes the spring through the nodes, which may be given in any order. If the force or the
+  /// approach of a node does not exceed the value at the node before it, this node is omitted.
   ///
-  /// Formula   cubic Hermite pieces, their slopes limited to three times the secants (Fritsch and
-  ///           Carlson 1980), so F rises everywhere; below the first node, the parabola with the
-  ///           slope of that node; above the last node, the tangent at that node; [T13.24]
+  /// Formula   cubic Hermite pieces whose slopes are limited to three times the secants (Fritsch
+  ///           and Carlson 1980), so that F rises everywhere. Below the first node, the parabola
+  ///           with the slope of that node. Above the last node, the tangent at that node; [T13.24]
   /// Laws      exact at the nodes; if the nodes are on a line through 0, the spring is this line
   /// Domain    a node with approach, force and slope > 0 (contract)
   explicit LoadSpring(std::vector<SpringNode> nodes);
 
   Value at(double approach) const;
-  /// The approach under a force ≥ 0, the inverse of at().
+  /// Returns the approach under a force ≥ 0. This is the inverse of at().
   double approach(double force) const;
 
  private:

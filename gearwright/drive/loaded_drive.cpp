@@ -26,16 +26,15 @@ using detail::PlanetEquilibrium;
 using detail::PlanetState;
 using detail::set_of;
 
-/// Limit of the common multiple of the numbers of planets in positions_of(). A set with which the
-/// multiple would exceed this limit does not affect the number of positions.
+/// Limit of the common multiple in positions_of(). If the number of planets of a set would raise
+/// the multiple above this limit, the set is ignored there.
 constexpr int kMostCommon = 60;
-/// Limit of the number of equilibria of a set whose meshes have several frequencies. 64 positions
-/// of two frequencies are below it, and 64 positions of three frequencies exceed it.
+/// Limit of the number of equilibria of a set with several mesh frequencies. 64 positions of each
+/// of two frequencies are below the limit. 64 positions of each of three frequencies exceed it.
 constexpr double kMostCombinations = 1e5;
 
-// The number of positions over a period. It is a multiple of the numbers of planets, so that
-// the meshes of planets at equal pitch are evaluated in the same positions and can share
-// springs.
+// Returns the number of positions over a period. It is a multiple of the numbers of planets. The
+// meshes of planets at equal pitch are then evaluated in the same positions and can share springs.
 int positions_of(const Drive& drive, int least) {
   int common = 1;
   for (const PlanetSet& set : drive.sets) {
@@ -79,7 +78,7 @@ class SetTurn {
     return count;
   }
 
-  // Adds the equilibrium in which the meshes of frequency f are at the position at[f].
+  // Adds the equilibrium in which the meshes of each frequency f are at the position at[f].
   void add(const PlanetState& state, const std::vector<std::size_t>& at) {
     const double part = static_cast<double>(positions()) / static_cast<double>(combinations());
     for (std::size_t f = 0; f < at.size(); ++f) output[f][at[f]] += part * state.output;
@@ -105,8 +104,8 @@ class SetTurn {
         std::max(shares.greatest_displacement.value_or(0.0), state.displacement.norm());
   }
 
-  // The range of the output rotation minus the sum of the ranges of the curves in `output`. The
-  // difference is 0 if the rotation is the sum of one part for each frequency.
+  // Returns the range of the output rotation minus the sum of the ranges of the curves in `output`.
+  // This is 0 if the rotation is a sum of independent parts, one for each frequency.
   double coupling() const {
     if (output.size() < 2) return 0.0;
     double sum = greatest_ - least_;
@@ -171,7 +170,7 @@ class DriveUnderLoad {
   }
 
  private:
-  // The first meshes of all frequencies of a set. Each gear of a stepped planet has its own
+  // Returns the first mesh of each frequency of a set. Each gear of a stepped planet has its own
   // frequency.
   std::vector<std::size_t> frequencies(const PlanetSet& set) const {
     std::vector<std::size_t> list;
@@ -185,8 +184,9 @@ class DriveUnderLoad {
 
   std::optional<Error> too_many_positions(const PlanetSet& set) const {
     const std::size_t count = frequencies(set).size();
-    // The limit applies to the requested number of positions. positions_ may be greater, because it
-    // is a multiple of the numbers of planets, but the additional positions cost little time.
+    // The limit applies to the number of positions that the user requests. positions_ may be
+    // greater, because it is a multiple of the numbers of planets. The additional positions cost
+    // little time.
     if (count < 2 || std::pow(load_.positions, count) <= kMostCombinations) return std::nullopt;
     return Error{"load.positions", std::to_string(load_.positions),
                  fmt::format("is too many for planets with {} mesh frequencies, because all "
@@ -199,7 +199,7 @@ class DriveUnderLoad {
     return set ? set->group.count : 1;
   }
 
-  // The force F_bt of an equal share of the load [T13.6].
+  // Returns the force F_bt of an equal share of the load [T13.6].
   double nominal(std::size_t m) const {
     const double base_pitch = drive_.geometry.pairs[m]->gear(1).reference().base_pitch_transverse;
     return std::abs(drive_.flow->load[m]) * from_newton_metres(load_.torque) * kTurn / base_pitch /
@@ -221,8 +221,8 @@ class DriveUnderLoad {
     const double pitch = pair.pitch();
     // Copies whose delays differ by whole positions use the same springs.
     std::vector<double> rotations;
-    std::vector<std::pair<Rational, std::size_t>> classes;  // fraction of a position, and index of
-                                                            // its first spring
+    std::vector<std::pair<Rational, std::size_t>> classes;  // fraction of a position; index of its
+                                                            // first spring
     const int n = positions_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(copies(m)); ++i) {
       Rational delay = phase.phases.empty() ? Rational() : phase.phases[i] * Rational(n);
@@ -255,8 +255,8 @@ class DriveUnderLoad {
     return std::nullopt;
   }
 
-  // The sum of the errors of all meshes of one frequency. The loaded curve does not contain the
-  // meshes of planets, because make_set() adds them.
+  // Returns the sum of the errors of all meshes of one frequency. The loaded curve does not include
+  // the meshes of planets, because make_set() adds them later.
   LoadedDrive::Curve curve_of(std::size_t first) const {
     LoadedDrive::Curve curve;
     curve.frequency_ratio = drive_.frequency_ratio(first).value_or(0.0);
@@ -311,7 +311,8 @@ class DriveUnderLoad {
     return std::nullopt;
   }
 
-  // The springs of the meshes of a set if the meshes of frequency f are at the position at[f].
+  // Returns the springs of the meshes of a set, with the meshes of each frequency f at the position
+  // at[f].
   std::vector<std::vector<MeshState>> states_at(const std::vector<std::size_t>& loaded,
                                                 const std::vector<std::size_t>& first,
                                                 const std::vector<std::size_t>& at) const {
@@ -333,7 +334,7 @@ class DriveUnderLoad {
     });
   }
 
-  // The index of the curve whose first mesh is `first`.
+  // Returns the index of the curve whose first mesh is `first`.
   std::size_t frequency(std::size_t first) const {
     std::size_t index = 0;
     for (std::size_t m = 0; m < first; ++m) index += phases_[m].first == m ? 1 : 0;

@@ -5,8 +5,8 @@
 //   K_γ     N times the greatest share [T13.26]
 //                                              theory: docs/theory/13-drives.md, 13.7
 //
-// Each mesh acts as a spring, which is computed from its loaded contact. The planets turn freely on
-// rigid pins, and only the teeth are elastic.
+// Each mesh acts as a spring, which is computed from the loaded contact of the mesh. The planets
+// turn freely on rigid pins, and only the teeth are elastic.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,8 @@ struct DriveLoadCase {
   MeshErrors errors{};                  ///< errors of mounting of the meshes
 };
 
-/// Checks, before any mesh is computed, whether the drive can be computed under this load. If
-/// not, the result is the reason.
+/// Checks whether the drive can be computed under this load, before any mesh is computed. Returns
+/// the reason if the drive cannot be computed.
 ///
 /// Errors    `load` if the loaded contact is not computed for this kind of drive; `load.torques` if
 ///           the torque is not greater than 0; `load.floating` if the floating body is not the
@@ -41,16 +41,16 @@ std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 /// Computes the load shares of all planets and the transmission error of the drive under load.
 ///
 /// Formula   at each position, all planets are in equilibrium, [T13.25]. If the meshes of a set
-///           have several frequencies, this applies to all combinations of their positions,
-///           [T13.26b]. Frequencies of different sets are not combined; their peak-to-peak
-///           values are added, as in transmission_error()
+///           have several frequencies, all combinations of their positions are computed, [T13.26b].
+///           Frequencies of different sets are not combined; their peak-to-peak values are added,
+///           as in transmission_error()
 /// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1;
 ///           three planets with a floating sun share equally for any errors of their pins
 /// Domain    one request for each mesh (contract)
 /// Errors    the errors of check_load(); `load.positions` if there are too many combinations of
-///           positions; `load` if a mesh has no usable flanks; `load.floating` if a body of the set
-///           floats and there is no equilibrium; `load` if no body of the set floats and there is
-///           no equilibrium; the errors of mesh_springs(), with the name of the mesh
+///           positions; `load` if a mesh has no usable flanks; if there is no equilibrium,
+///           `load.floating` if a body of the set floats, and otherwise `load`; the errors of
+///           mesh_springs(), with the name of the mesh
 Result<LoadedDrive> loaded_drive(const Drive& drive, const DriveLoadCase& load,
                                  Progress* progress = nullptr);
 

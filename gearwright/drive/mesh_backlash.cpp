@@ -1,4 +1,4 @@
-// Thickness allowances with which the meshes of a drive have their required backlash.
+// Computes the thickness allowances that give the meshes of a drive their required backlash.
 //
 //   j_n    backlash in the normal section, mm
 //   t      thinning −(E_sn,a + E_sn,b) of the two gears of a mesh, mm [T9.13]
@@ -18,8 +18,8 @@ struct MeshThinning {
   double thinning;  // t  mm
 };
 
-// The t with which the mesh has its required backlash. None if no backlash is required or if the
-// gears are not mounted. For circular arcs, dt/dj_n differs slightly from 1.
+// Returns the t that gives the mesh its required backlash. Returns none if no backlash is required
+// or if the gears are not mounted. For circular arcs, dt/dj_n is not exactly 1.
 std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeometry& made,
                                             std::size_t m) {
   const auto& wanted = graph.meshes[m].backlash;
@@ -38,10 +38,10 @@ std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeomet
   return MeshThinning{m, thinning};
 }
 
-// Divides the thinning of each mesh between its gears, equally if neither gear has a thinning
-// yet. The mesh with the least thinning comes first. After it, a mesh with a gear that already
-// has a thinning always precedes the others. In a set whose meshes need similar thinnings, all
-// gears therefore become thinner.
+// Divides the thinning of each mesh between its two gears. If neither gear has a thinning yet, the
+// division is equal. The mesh with the least thinning comes first. After this mesh, the meshes with
+// a gear that already has a thinning come before all others. If the meshes of a set need similar
+// thinnings, all gears therefore become thinner.
 std::vector<std::optional<double>> divided(const DriveGraph& graph,
                                            std::vector<MeshThinning> open) {
   std::vector<std::optional<double>> of_gear(graph.gears.size());
@@ -76,7 +76,7 @@ DriveGraph with_backlash(DriveGraph graph) {
     std::vector<MeshThinning> needed;
     for (std::size_t m = 0; m < graph.meshes.size(); ++m)
       if (const auto mesh = needed_thinning(graph, made, m)) needed.push_back(*mesh);
-    if (needed.size() < mounted) return graph;  // some teeth cannot be made as thin as required
+    if (needed.size() < mounted) return graph;  // some teeth cannot be made thin enough
     mounted = needed.size();
     const auto thinning = divided(graph, std::move(needed));
     change = 0.0;

@@ -1,5 +1,5 @@
 // Computes the contact of every mesh of a drive under errors of mounting, on the working flanks and
-// on the other flanks.
+// on the non-working flanks.
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_phases.hpp"
@@ -8,9 +8,9 @@ namespace gearwright {
 
 namespace {
 
-// The contact of a mesh on its working flanks. Gear 2 drives if `gear2_drives` is true, and gear 1
-// drives otherwise. If the pair is not double-helical, only `whole` is set. None if the flanks
-// cannot be computed.
+// Returns the contact of a mesh on its working flanks. `gear2_drives` selects the driving gear. If
+// the pair is not double-helical, only `whole` is set. Returns none if the flanks cannot be
+// computed.
 std::optional<HalvesContact> contact_of(const Drive& drive, std::size_t m,
                                         const ContactErrors& errors, const detail::MeshPhase& phase,
                                         bool gear2_drives) {

@@ -1,9 +1,9 @@
-// Computes the springs of a mesh: for each position, the force as a function of the approach, from
-// the loaded contact of the pair at several torques.
+// Computes the springs of a mesh from the loaded contact of the pair at several torques. For each
+// position, a spring gives the force as a function of the approach.
 //
 //   e_0    distance by which the driven gear is ahead without load, along the transverse line of
 //          action, mm
-//   δ      approach under load, so that the driven gear is ahead by e_0 − δ; F = f(δ)  [T13.24]
+//   δ      approach under load; the driven gear is then ahead by e_0 − δ; F = f(δ)  [T13.24]
 //                                              theory: docs/theory/13-drives.md, 13.7
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace gearwright::detail {
 
-/// The error that states that the loaded contact of a drive, or of one of its meshes, cannot be
+/// Returns the error that the loaded contact of a drive, or of one of its meshes, cannot be
 /// computed.
 Error not_loaded(const std::string& rule, const std::string& mesh = "");
 
@@ -27,16 +27,17 @@ struct MeshSprings {
   std::vector<double> leads;        ///< e_0  mm
 };
 
-/// The forces at which the loaded contact is solved, as multiples of an equal share, for a mesh
-/// with this number of copies. A single copy carries the whole load, so one force is sufficient.
+/// Returns the forces at which the loaded contact is solved, as multiples of an equal share of the
+/// load, for a mesh with this number of copies. A single copy carries the whole load, so one force
+/// is sufficient.
 std::vector<double> load_levels(int copies);
 
-/// The springs of a mesh at the given rotations of gear 1, as in the contact analysis. `levels` are
-/// multiples of `nominal`, the force of an equal share of the load, N along the transverse line of
-/// action.
+/// Returns the springs of a mesh at the given rotations of gear 1, as in the contact analysis.
+/// `levels` are multiples of `nominal`. `nominal` is the force of an equal share of the load, N
+/// along the transverse line of action.
 ///
 /// Errors    `load` if, at a position, no teeth touch or the iteration converges for no force;
-///           `load.slices` if there are too many slices; as pair_compliance()
+///           `load.slices` if there are too many slices; the errors of pair_compliance()
 Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, LoadRequest request,
                                  const std::vector<double>& levels, double nominal,
                                  const std::vector<double>& rotations);

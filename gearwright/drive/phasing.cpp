@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-/// A fraction that differs from 0 or 1 by less than this amount differs only by rounding.
+/// If a fraction differs from 0 or 1 by less than this, the difference is a rounding error.
 constexpr double kNothing = 1e-12;
 
 // Returns |Σ e^{2πit}|/N for N angles t in turns. Whole turns are removed from the exact fractions
@@ -61,7 +61,7 @@ double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun
   const double flanks = (share_1 + share_2) / 2;
   const double phase = (planet_teeth % 2 == 0 ? 0.0 : 0.5) + (sun_drives ? -flanks : flanks);
   const double frac = phase - std::floor(phase);
-  // A phase that is just below 1 only because of rounding is set to 0.
+  // A phase just below 1 is a rounding error of 1 and is set to 0.
   return frac > 1.0 - kNothing ? 0.0 : frac;
 }
 

@@ -1,7 +1,7 @@
-// Computes the phases of the meshes of a group of planets, and the harmonics that these phases
-// cancel.
+// Computes the phases of the meshes of a group of planets, and the harmonics that cancel because of
+// these phases.
 //
-//   γ_i    delay of the mesh of copy i after the mesh of copy 0, in periods, while the sun turns
+//   γ_i    delay of the mesh of copy i after the mesh of copy 0, in periods. The sun turns
 //          counter-clockwise as seen from the carrier [T13.16]
 //   R_k    fraction of harmonic k that remains in the torque and in the axial force [T13.18]
 //   F_k^±  fraction of harmonic k that remains in a transverse force that turns with the sun (+) or
@@ -32,21 +32,23 @@ struct Phasing {
   std::vector<Resultant> resultants;  ///< for the harmonics 1, 2, …
 };
 
-/// γ_i of a central gear with z teeth, z < 0 for a ring.
+/// Returns γ_i of a central gear with z teeth. z is < 0 for a ring.
 ///
 /// Formula   γ_i = frac(z u_i); [T13.16]
 std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
 
-/// Computes the remaining fractions of the harmonics 1 to `harmonics`, and their classification.
+/// Computes the remaining fractions of the harmonics 1 to `harmonics`, and the class of the
+/// phasing.
 ///
 /// Formula   R_k = |Σ e^{−2πikγ_i}|/N, F_k^± = |Σ e^{−2πikγ_i ± 2πi u_i}|/N; [T13.18], [T13.19]
 /// Domain    one phase for each element of `turns`, at least one (contract)
 Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,
                 int harmonics);
 
-/// Delay, in periods, of the contact of a planet gear with a ring after its contact with a sun.
-/// Both contacts are at the pitch points of the loaded flanks. `share_1` and `share_2` are the
-/// ratios of the planet's tooth thickness to the pitch on its two working pitch circles.
+/// Returns the delay, in periods, of the contact of a planet gear with a ring after the contact of
+/// this planet gear with a sun. Both contacts are at the pitch points of the loaded flanks.
+/// `share_1` and `share_2` are the ratios of the planet's tooth thickness to the pitch on its two
+/// working pitch circles.
 ///
 /// Formula   frac(z_p/2 ∓ (s_1/p_1 + s_2/p_2)/2), with − if the sun drives; [T13.17]
 double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun_drives);

@@ -39,8 +39,8 @@ PlanetEquilibrium::PlanetEquilibrium(const Drive& drive, const PlanetSet& set,
 }
 
 // Finds the weights with which the forces of all meshes are in balance. In every mesh, the torque
-// on the driven gear is the lossless torque times the efficiency [T13.6]. The weights are therefore
-// products of efficiencies along the chain of the meshes.
+// on the driven gear is the lossless torque times the efficiency [T13.6]. Each weight is therefore
+// a product of efficiencies along the chain of meshes.
 void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive_.graph;
   const auto share = [&](std::size_t m, int side) {
@@ -67,9 +67,9 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   }
 }
 
-// Assigns a column to each unknown. A common rotation of all bodies does not change any
-// approach, so one central body is held. It is the output or, if the output is not a central
-// body, a fixed body.
+// Assigns a column to each unknown. A common rotation of all bodies changes no approach, so one
+// central body is held. The held body is the output. If the output is not a central body, a fixed
+// body is held.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);
@@ -101,8 +101,9 @@ std::optional<Index> PlanetEquilibrium::column(std::size_t body, std::size_t pla
   return drive_.graph.bodies[body].carrier ? *first + static_cast<Index>(planet) : *first;
 }
 
-// The unit vector n of the force of the first gear on the second one. The force presses the gears
-// apart. Its tangential part has the sense of rotation of the first gear if this gear drives.
+// Returns n, the unit vector of the force of the first gear on the second one. The force presses
+// the gears apart. If the first gear drives, the tangential part of the force has the direction in
+// which the first gear turns.
 Vec2 PlanetEquilibrium::push(std::size_t m, std::size_t planet, const MeshPhase& phase) const {
   const DriveMesh& mesh = drive_.graph.meshes[m];
   const Pair& pair = *drive_.geometry.pairs[m];
@@ -116,7 +117,7 @@ Vec2 PlanetEquilibrium::push(std::size_t m, std::size_t planet, const MeshPhase&
   return std::sqrt(std::max(0.0, 1 - cos_w * cos_w)) * u + along * Vec2(-u.y(), u.x());
 }
 
-// ε t, the displacement of a gear's axis by the error of its pin.
+// Returns ε t, the displacement of a gear's axis due to the error of its pin.
 Vec2 PlanetEquilibrium::pin(const DriveGear& gear, std::size_t planet,
                             const std::vector<double>& errors) const {
   if (errors.empty() || !drive_.graph.body(gear).carrier) return Vec2::Zero();
@@ -131,7 +132,7 @@ Vec2 PlanetEquilibrium::pin(const DriveGear& gear, std::size_t planet,
 void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
                                   const PlanetErrors& errors) {
   const DriveGraph& graph = drive_.graph;
-  // x_b = θ_b times the base radius of the first gear on the body.
+  // x_b is θ_b times the base radius of the first gear on the body.
   std::vector<double> radius(graph.bodies.size(), 0.0);
   problem_.load = VectorXd::Zero(unknowns_);
   output_ = VectorXd::Zero(unknowns_);
@@ -161,8 +162,8 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
         const auto c = column(gear.body, i);
         if (!c) continue;
         spring.row[*c] += sigma * per_tooth * gear.teeth / r;
-        // The rotation of the output is a sum over the meshes of a single copy. The terms of the
-        // rotations of the riders cancel in this sum.
+        // The rotation of the output is a sum over the meshes of a single copy. In this sum, the
+        // terms of the rotations of the planets cancel.
         if (i == 0) output_[*c] -= phase.weight * spring.row[*c];
       }
       problem_.load += weights_[k] * nominal_[k] * spring.row;

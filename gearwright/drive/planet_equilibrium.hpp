@@ -21,8 +21,9 @@ namespace gearwright::detail {
 /// The deviations of a set from the ideal set.
 struct PlanetErrors {
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<double> pins;  ///< ε  mm, tangential error of each pin, > 0 counter-clockwise: all
-                             ///< copies of the first rider, then of the next; if empty, all are 0
+  std::vector<double> pins;  ///< ε  mm, tangential error of each pin, > 0 counter-clockwise. The
+                             ///< order is: all copies of the first rider, then all copies of the
+                             ///< next. If empty, all errors are 0
 };
 
 /// A mesh of one planet in one position.
@@ -40,8 +41,8 @@ struct PlanetState {
 
 /// The unknowns and equations of one set, which are the same in all positions.
 ///
-/// Laws      linear springs around a centred sun have the closed form [T13.28]; three planets share
-///           equally around a floating sun
+/// Laws      linear springs around a centred sun have the closed form [T13.28]; around a floating
+///           sun, three planets share equally
 class PlanetEquilibrium {
  public:
   /// Prepares the equations of a set.

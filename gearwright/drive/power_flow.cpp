@@ -14,11 +14,11 @@ namespace {
 
 /// A power below this fraction of the input power is a rounding error.
 constexpr double kIdle = 1e-11;
-/// Up to this number of loaded meshes, all patterns of their signs are tried.
+/// If at most this number of meshes carry load, all patterns of their signs are tried.
 constexpr std::size_t kMostSigns = 16;
 
-// The bodies with an unknown external torque: fixed bodies, the output, and all inputs except the
-// first one.
+// Returns the bodies with an unknown external torque: fixed bodies, the output, and all inputs
+// except the first one.
 std::vector<std::size_t> reacting(const DriveGraph& graph) {
   std::vector<std::size_t> list = graph.fixed;
   list.insert(list.end(), graph.inputs.begin() + 1, graph.inputs.end());
@@ -32,7 +32,8 @@ class Statics {
           const std::vector<MeshEfficiency>& efficiencies)
       : graph_(graph), speeds_(speeds), efficiencies_(efficiencies), reacting_(reacting(graph)) {}
 
-  // Computes the flow for given driving gears of all meshes. A mesh with driver −1 has no friction.
+  // Computes the flow for given driving gears of all meshes. A mesh whose driver is −1 has no
+  // friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();
@@ -60,15 +61,15 @@ class Statics {
       (power > 0.0 ? flow.power_in : out) += power;
     }
     flow.efficiency = flow.power_in > 0.0 ? -out / flow.power_in : 0.0;
-    // With one degree of freedom, the input drives. If power also flows in at the output, the
-    // drive cannot run.
+    // With one degree of freedom, the input drives. If power also flows in at the output, the drive
+    // is self-locking.
     if (graph_.inputs.size() == 1 && flow.torque[graph_.output] * speeds_[graph_.output] >= 0.0)
       flow.efficiency = 0.0;
     find_drivers(flow, driver);
     return flow;
   }
 
-  // The bodies on which a mesh acts, each with its torque for λ = 1. [T13.6]
+  // Returns the bodies on which a mesh acts, each with its torque for λ = 1. [T13.6]
   std::vector<std::pair<std::size_t, double>> torques(std::size_t mesh, int driver) const {
     const DriveGear& a = graph_.gear(graph_.meshes[mesh], 0);
     const DriveGear& b = graph_.gear(graph_.meshes[mesh], 1);
@@ -87,8 +88,8 @@ class Statics {
   static Eigen::Index as_index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
   // Finds the driving gears of a solution, [T13.7], and the powers in the frames. The torque of a
-  // mesh on gear a is z_a λ. Gear a supplies the power −z_a λ (ω_a − ω_c) to the mesh, and drives
-  // if this is > 0.
+  // mesh on gear a is z_a λ. Gear a supplies the power −z_a λ (ω_a − ω_c) to the mesh. If this
+  // power is > 0, gear a drives.
   void find_drivers(PowerFlow& flow, const std::vector<int>& assumed) const {
     for (std::size_t k = 0; k < graph_.meshes.size(); ++k) {
       const DriveMesh& mesh = graph_.meshes[k];
@@ -112,15 +113,16 @@ class Statics {
   std::vector<std::size_t> reacting_;
 };
 
-// True if the driving gears found agree with the assumed driving gears. Idle meshes always agree.
+// True if the driving gears of the solution are those that were assumed. Idle meshes always agree.
 bool consistent(const std::vector<int>& assumed, const std::vector<int>& found) {
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k] >= 0 && found[k] != assumed[k]) return false;
   return true;
 }
 
-// Each group of planets, and each mesh in the housing, is a branch that passes power from body
-// to body. If a branch carries more power than flows in from outside, power circulates.
+// True if power circulates. Each group of planets, and each mesh in the housing, is a branch that
+// passes power from body to body. Power circulates if a branch carries more power than flows in
+// from outside.
 bool circulates(const DriveGraph& graph, const Statics& statics, const std::vector<double>& speeds,
                 const PowerFlow& flow) {
   const std::vector<PlanetGroup> groups = planet_groups(graph);

@@ -16,8 +16,8 @@ constexpr Wide kMost = 2 * ((Wide{1} << (8 * sizeof(Wide) - 2)) - 1) + 1;  ///< 
 
 Wide magnitude(Wide n) { return n < 0 ? -n : n; }
 
-/// True if both numbers have at most 31 bits, as nearly all numbers of a drive. Divisions of wide
-/// numbers are function calls, so these numbers are divided as int.
+/// True if both numbers have at most 31 bits, as almost all numbers of a drive have. Such numbers
+/// are divided as int, because a division of wide numbers is a function call.
 bool are_short(Wide a, Wide b) {
   constexpr int kMostShort = std::numeric_limits<int>::max();
   return magnitude(a) <= kMostShort && magnitude(b) <= kMostShort;
@@ -27,15 +27,15 @@ Wide divided(Wide a, Wide b) {
   return are_short(a, b) ? static_cast<int>(a) / static_cast<int>(b) : a / b;
 }
 
-/// a·b; none outside −kMost … kMost. The negative of every number in this range is in the
-/// range, too.
+/// Returns a·b, or none outside −kMost … kMost. The range is symmetric, so it also contains the
+/// negative of every number in it.
 std::optional<Wide> product(Wide a, Wide b) {
   if (are_short(a, b)) return a * b;
   if (b != 0 && magnitude(a) > kMost / magnitude(b)) return std::nullopt;
   return a * b;
 }
 
-/// a + b; none as in product().
+/// Returns a + b, or none outside −kMost … kMost.
 std::optional<Wide> sum(Wide a, Wide b) {
   if (b > 0 ? a > kMost - b : a < -kMost - b) return std::nullopt;
   return a + b;
@@ -98,8 +98,8 @@ Rational operator+(const Rational& a, const Rational& b) {
 
 Rational operator*(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
-  // The common factors of a numerator and the other denominator are cancelled before the
-  // multiplication. The products are then in lowest terms and as small as possible.
+  // Common factors of a numerator and the denominator of the other fraction are cancelled before
+  // the multiplication. The products are then in lowest terms and as small as possible.
   const Wide d = common_divisor(a.p_, b.q_);
   const Wide e = common_divisor(b.p_, a.q_);
   const auto p = product(divided(a.p_, d), divided(b.p_, e));
@@ -158,7 +158,7 @@ std::optional<std::size_t> rank_of(RationalMatrix rows) {
 
 RationalMatrix left_kernel(const RationalMatrix& rows) {
   if (rows.empty()) return {};
-  // Reduces [A | I]. If the A part of a row vanishes, its I part is a y with y·A = 0.
+  // Reduces [A | I]. If the A part of a row becomes 0, the I part of this row is a y with y·A = 0.
   const std::size_t columns = rows.front().size();
   RationalMatrix both = rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

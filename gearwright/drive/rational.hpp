@@ -1,11 +1,12 @@
-// Exact fractions of whole numbers. Overflow is a separate state and never gives a wrong number.
+// Exact fractions of whole numbers. After an overflow, a fraction is in a separate state, so the
+// result is never a wrong number.
 //
-//   p/q in lowest terms, q > 0; q = 0 after overflow, which means that a result does not fit into
-//   127 bits, or into 63 bits if the compiler has no wider integers
+//   p/q in lowest terms, q > 0; q = 0 after an overflow, if a result does not fit into 127 bits, or
+//   into 63 bits if the compiler has no wider integers
 //                                              theory: docs/theory/13-drives.md, [T13.3]
 //
-// Like NaN, overflow passes to every fraction that is computed from it, so only the last result
-// must be checked.
+// Like NaN, an overflow affects every fraction computed from the overflowed one. The caller
+// therefore checks only the last result.
 #pragma once
 
 #include <optional>
@@ -32,13 +33,13 @@ class Rational {
   bool fits() const { return q_ != 0; }
   bool zero() const { return q_ != 0 && p_ == 0; }
   bool whole() const { return q_ == 1; }
-  /// The sign: −1, 0 or 1.   Domain  fits() (contract)
+  /// Returns the sign: −1, 0 or 1.   Domain  fits() (contract)
   int sign() const;
   double value() const { return static_cast<double>(p_) / static_cast<double>(q_); }
-  /// p and q; none if one of them has more than 63 bits.
+  /// Return p and q, or none if the number has more than 63 bits.
   std::optional<long long> numerator() const;
   std::optional<long long> denominator() const;
-  /// v − floor(v), in [0, 1).
+  /// Returns v − floor(v), in [0, 1).
   Rational frac() const;
   Rational floor() const;
 
@@ -58,25 +59,25 @@ class Rational {
   Wide p_ = 0, q_ = 1;
 };
 
-/// Least common multiple of two whole numbers > 0. The result is overflow if one of them has
-/// overflow or if the multiple does not fit.
+/// Returns the least common multiple of two whole numbers > 0. The result is an overflow if one of
+/// the numbers has an overflow or if the multiple does not fit.
 Rational least_common_multiple(const Rational& a, const Rational& b);
 
 /// A matrix as a list of rows of equal length.
 using RationalMatrix = std::vector<std::vector<Rational>>;
 
-/// Reduces the rows such that each leading entry is 1 and is the only entry ≠ 0 in its column.
-/// Only the first `columns` columns can contain leading entries. Returns the column of the
-/// leading entry of each row that has one.
+/// Reduces the rows so that each leading entry is 1 and is the only entry ≠ 0 in its column. Only
+/// the first `columns` columns can contain leading entries. The function returns the column of the
+/// leading entry for each row that has one.
 ///
 /// Formula   Gauss–Jordan elimination over the fractions: the rank is exact
 std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 
-/// Rank of the matrix; none after overflow.
+/// Returns the rank of the matrix, or none after an overflow.
 std::optional<std::size_t> rank_of(RationalMatrix rows);
 
-/// Basis of all y with y·A = 0 for A = `rows`, one y in each row. Empty if the rows are independent
-/// or if a number overflows.
+/// Returns a basis of all y with y·A = 0 for A = `rows`, one y in each row. The result is empty if
+/// the rows are independent or if a number overflows.
 RationalMatrix left_kernel(const RationalMatrix& rows);
 
 }  // namespace gearwright

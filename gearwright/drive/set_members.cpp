@@ -1,4 +1,4 @@
-// The members and meshes of planetary sets by their names.
+// Lists the members and meshes of planetary sets, with their names.
 #include <algorithm>
 
 #include "gearwright/base/contract.hpp"

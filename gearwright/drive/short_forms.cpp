@@ -41,7 +41,7 @@ std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
   return list;
 }
 
-// The hand of the helix of a member relative to the hand of the sun, ±1. Every external mesh
+// Returns 1 if the helix of a member has the hand of the sun, and otherwise −1. Every external mesh
 // reverses the hand.
 double hand_of(const PlanetarySpec& spec, M member) {
   const double planet = spec.z(M::idler) ? 1.0 : -1.0;
@@ -53,8 +53,8 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// True if a member is a planet with one gear that meshes with two suns or with two rings side
-// by side.
+// True if a member is a planet with one gear that meshes with two suns side by side, or with two
+// rings side by side.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;
@@ -122,7 +122,7 @@ std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std:
   return std::nullopt;
 }
 
-// Gives a set of a sun and a ring a planet that fits between them: z_p = (|z_r| − z_s)/2.
+// Adds a planet that fits between sun and ring, z_p = (|z_r| − z_s)/2, if the set has no planet.
 std::optional<Error> add_planet(PlanetarySpec& spec) {
   if (spec.z(M::planet)) return std::nullopt;
   const char* const kField = "planetary.planet";
@@ -149,8 +149,8 @@ std::optional<Error> add_planet(PlanetarySpec& spec) {
                   both / 2.0, both / 2, both / 2 + 1, ring - 1, ring + 1));
 }
 
-// Sets the fixed bodies, the inputs and the output of the graph. The values that are not given
-// get defaults.
+// Sets the fixed bodies, the inputs and the output of the graph. Values that are not given get
+// defaults.
 std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   std::vector<std::string> inputs = spec.inputs;
@@ -196,8 +196,8 @@ DriveGraph pair_graph(const PairStage& stage) {
   return graph;
 }
 
-// Appends a stage to the train. If `joined` is given, the body `joined` of the train replaces
-// the input of the stage.
+// Appends a stage to the train. If `joined` is given, the input of the stage is the body `joined`
+// of the train.
 void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefix,
             std::optional<std::size_t> joined) {
   std::vector<std::size_t> body(stage.bodies.size());
@@ -236,15 +236,16 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
   train.output = body[stage.output];
 }
 
-// A stage of two gears in the polygon of the axes of a train.
+// A stage of two gears. It is a side of the polygon that the axes of a train form.
 struct Side {
   std::size_t stage;  // counted from 1
   std::size_t mesh;
   double length;  // a  mm
 };
 
-// Sets the direction of the last stage so that the axis of the output is the axis of the input. If
-// necessary, also computes an absent direction of the stage before the last one.
+// Sets the direction of the last stage so that the axis of the output is also the axis of the
+// input. If the direction of the stage before the last one is absent, the function may compute it
+// as well.
 std::optional<Error> close_train(DriveInput& train) {
   constexpr double kCloses = 1e-6;  // mm; far below the play of any bearing
   const auto fails = [&train](const std::string& rule) {
@@ -273,8 +274,8 @@ std::optional<Error> close_train(DriveInput& train) {
     return fails(
         "needs at least two stages of two gears, because a single stage cannot lead back to the "
         "axis of its input");
-  // Adds up the stages. `from` and `to` become the axes of the input and of the output of the stage
-  // before the last one.
+  // Adds up the sides of the polygon. `from` and `to` become the axes of the input and of the
+  // output of the stage before the last one.
   auto& meshes = train.graph.meshes;
   const Side before = sides[sides.size() - 2];
   double angle = 0.0;

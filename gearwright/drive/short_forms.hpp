@@ -23,7 +23,8 @@ const char* to_string(SetMember member);
 /// The names of all members, in the order of SetMember.
 std::vector<std::string> set_member_names();
 
-/// One number for all gears of a set, and numbers for single gears, which take precedence.
+/// One number for all gears of a set, and numbers for single gears. The numbers for single gears
+/// take precedence.
 struct PerMember {
   std::optional<double> all;
   std::array<std::optional<double>, kSetMembers> each{};
@@ -40,7 +41,8 @@ struct PerMember {
   }
 };
 
-/// One number for all meshes, and numbers for single meshes by name, which take precedence.
+/// One number for all meshes, and numbers for single meshes by name. The numbers for single meshes
+/// take precedence.
 struct PerMesh {
   std::optional<double> all;
   std::vector<std::pair<std::string, double>> each{};
@@ -52,7 +54,7 @@ struct PerMesh {
 };
 
 struct PlanetarySpec {
-  /// z of each gear, absent if there is no such gear. The number of a ring may have either sign.
+  /// z of each gear, absent if there is no such gear. The sign of a ring's number is ignored.
   std::array<std::optional<int>, kSetMembers> teeth{};
   int planets = 1;
   std::optional<double> normal_module;  ///< m_n  mm; if absent, there is no geometry
@@ -61,10 +63,11 @@ struct PlanetarySpec {
   PerMember helix_deg;      ///< β; by default computed from β of the sun
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
-  std::string series;       ///< of DIN 3967, for gears without an allowance; "" for nominal teeth
+  std::string series;       ///< of DIN 3967, for gears without an allowance; if empty, nominal
+                            ///< teeth
   PerMember tip_diameter;   ///< d_a  mm
-  PerMember bore;           ///< diameter of the bore or, for a ring, outside diameter of its rim,
-                            ///< mm; `all` does not apply to rings
+  PerMember bore;           ///< mm, diameter of the bore, or outside diameter of the rim of a ring;
+                            ///< `all` does not apply to rings
   PerMesh efficiency;
   PerMesh backlash;                               ///< j_n  mm
   bool backlash_is_mean = false;                  ///< true if `backlash` is the mean of a band
@@ -103,17 +106,16 @@ struct PairStage {
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance, backlash;
   bool backlash_is_mean = false;  ///< true if `backlash` is the mean of a band
-  /// Direction from the axis of the first gear to the axis of the second gear; by default that of
-  /// the stage before.
+  /// Direction from the axis of the first gear to the axis of the second gear. The default is the
+  /// direction of the stage before.
   std::optional<Angle> direction{};
-  /// True if the axis of the second gear is the axis of the input of the train, which determines
-  /// the direction.
+  /// True if the second gear has the axis of the input of the train. This determines the direction.
   bool coaxial = false;
 
-  /// Gives both gears teeth. The hand of the second gear fits the first.
+  /// Gives both gears teeth. The hand of the second gear is chosen to fit the first gear.
   void set_teeth(const PairTeeth& given);
-  /// Sets the allowance of each gear that has the allowance 0 to the mean allowance of this series
-  /// of DIN 3967. If `series` is empty, no allowance changes.
+  /// If a gear has the allowance 0, sets its allowance to the mean allowance of this series of DIN
+  /// 3967. If `series` is empty, no allowance changes.
   void set_allowances(const std::string& series);
 };
 
@@ -125,31 +127,32 @@ struct StageSpec {
   double friction = 0.05;             ///< μ of the pair
 };
 
-/// The mean of E_sns and E_sni, mm, by this series of DIN 3967 for a reference diameter. It is
-/// 0 without a series, and for a diameter that the series does not contain.
+/// Returns the mean of E_sns and E_sni, mm, of this series of DIN 3967 for a reference diameter.
+/// Returns 0 without a series, and for a diameter that the series does not contain.
 double mean_allowance(const std::string& series, double reference_diameter);
 
-/// The index of a body by its name.
+/// Returns the index of the body with this name.
 ///
 /// Errors    `field` if there is no such body; the message lists the names of all bodies
 Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
                               const std::string& field);
 
-/// The graph of a planetary set. Its bodies are named sun, planet, ring, carrier and so on, and its
-/// meshes sun_planet, planet_ring and so on.
+/// Returns the graph of a planetary set. Its bodies have names such as sun, planet, ring and
+/// carrier. Its meshes have names such as sun_planet and planet_ring.
 ///
 /// Errors    a missing member; a set without a mesh; an unknown body in `fixed`, `input` or
 ///           `output`
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
-/// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so
-/// on. A body that is the output of one stage and the input of the next stage has the name that
-/// the first of these stages gives it.
+/// Returns the whole train, and its stages as separate drives. The names of bodies are s1_sun,
+/// s2_gear1 and so on. If a body is the output of one stage and the input of the next one, its name
+/// comes from the first of the two stages.
 ///
 /// Formula   if the last stage is coaxial, its direction leads back to the axis of the input. If
-///           the stage before it has no direction, its direction is computed from the triangle of
-///           its two axes and the axis of the input. The triangle lies to the left of the line from
-///           the axis of the input to the first axis of this stage
+///           the stage before it has no direction, a triangle gives this direction. The corners of
+///           the triangle are the two axes of that stage and the axis of the input. The triangle
+///           lies to the left of the line from the axis of the input to the first axis of that
+///           stage
 /// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
 ///           `drive.torque` if they are given for a later stage; `drive.angle` if the centre
 ///           distances do not permit a coaxial output

@@ -18,7 +18,7 @@ using detail::MeshPhase;
 
 double path_of(const WindupMesh& mesh) { return mesh.approach + mesh.recess; }
 
-// The rotation that meshes of one frequency cause at the time t.
+// Returns the rotation that meshes of one frequency cause at the time t.
 double rotation_at(const std::vector<const WindupMesh*>& meshes, double t) {
   double sum = 0.0;
   for (const WindupMesh* mesh : meshes) {
@@ -32,8 +32,8 @@ double rotation_at(const std::vector<const WindupMesh*>& meshes, double t) {
   return sum;
 }
 
-// The kinks: the times within a period at which the length of a contact line or its rate of
-// change jumps.
+// Returns the times within a period at which the length of a contact line, or its rate of change,
+// jumps. These times are called kinks.
 std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
   std::vector<double> times{0.0, 1.0};
   for (const WindupMesh* mesh : meshes)
@@ -48,11 +48,11 @@ std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
 }
 
 double spread_of(const std::vector<const WindupMesh*>& meshes) {
-  // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. At a
-  // kink, the sum jumps for spur gears, so it is evaluated at the distance kNear before and
+  // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. For spur
+  // gears, the sum jumps at a kink. It is therefore evaluated at the distance kNear before and
   // after the kink.
   constexpr double kNear = 1e-10;
-  constexpr int kSteps = 30;  // the error of the value is then below 1e-12 of its curvature
+  constexpr int kSteps = 30;  // the error of the value is then below 1e-12 times its curvature
   const auto rotation = [&](double t) { return rotation_at(meshes, t); };
   double least = 1e300, greatest = 0.0;
   const std::vector<double> times = kinks_of(meshes);
@@ -84,7 +84,7 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes) {
 
 namespace {
 
-// Sets the frequency of the mesh and the delays of its copies.
+// Sets the frequency and the delays of the copies of the mesh.
 void place_in_time(WindupMesh& mesh, const MeshPhase& phase) {
   if (!phase.first_drives) std::swap(mesh.approach, mesh.recess);
   mesh.frequency = phase.first;
@@ -127,7 +127,7 @@ WindupMesh StandardTeeth::mesh(int z1, int z2) const {
   const double cosine = std::cos(helix_angle.rad());
   const double alpha = std::atan(std::tan(normal_pressure_angle.rad()) / cosine);
   const double pitch = std::numbers::pi * std::cos(alpha) / cosine;
-  // The length of the path from the pitch point to the tip of a gear, in pitches.
+  // Returns the length of the path from the pitch point to the tip of a gear, in pitches.
   const auto part = [&](int z) {
     const double r = std::abs(z) / (2 * cosine);
     const double r_b = r * std::cos(alpha);
@@ -156,7 +156,8 @@ std::optional<double> windup_variation(const Drive& set, const StandardTeeth& te
     MeshPhase phase;
     phase.first_drives = detail::first_drives(set, m, to_input[m].value());
     detail::find_delays(set, m, phase);
-    // The teeth are half a pitch thick. The sun and the ring are on opposite sides of the planet.
+    // The tooth thickness is half a pitch. The sun and the ring are on opposite sides of the
+    // planet.
     const double theta = (a_rides ? b : a).is_ring() ? 0.0 : 0.5;
     const double time = detail::passing_time(detail::turning(set, planet.body, m), planet.teeth,
                                              theta, phase.first_drives == a_rides, 0.25);

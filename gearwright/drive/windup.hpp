@@ -1,4 +1,5 @@
-// The elastic rotation of the output of a drive under load, and its variation.
+// Computes the elastic rotation of the output of a drive under load, and the variation of this
+// rotation.
 //
 //   λ(τ)   contact lines of a mesh (pair/contact_lines.hpp), τ in periods of the mesh
 //   w_m    weight of a mesh, (2π λ_m/(T_o p_bt,m))²/(N b_m), with the tooth load λ_m of
@@ -7,7 +8,7 @@
 //                                              theory: docs/theory/13-drives.md, 13.7
 //
 // All teeth are perfect, and every mm of contact line has the same stiffness. The N planets of a
-// set share the load equally. The curves have the phases of the transmission error
+// set share the load equally. The phases of the curves are those of the transmission error
 // (drive_error.hpp).
 #pragma once
 
@@ -28,31 +29,33 @@ struct WindupMesh {
   std::size_t frequency = 0;            ///< equal for meshes of one frequency
 };
 
-/// The variation of Θ, peak to peak, divided by Σ w_m. This sum is the value of Θ if all λ are
-/// equal to ε_α. The variations of several frequencies are added, as in transmission_error(). None
-/// if there are no meshes, or if a mesh loses contact.
+/// Returns the peak-to-peak variation of Θ, divided by Σ w_m. This sum is the value of Θ if all λ
+/// are equal to ε_α. The variations of several frequencies are added, as in transmission_error().
+/// Returns none if there are no meshes, or if a mesh loses contact.
 ///
 /// Formula   [T13.32], [T13.33]
-/// Laws      (1) a single mesh has the variation of deflection_variation(); (2) the variation does
-///           not depend on a common factor of the weights or on a common delay
+/// Laws      (1) the variation of a single mesh is deflection_variation(); (2) a common factor of
+///               the
+///           weights or a common delay does not change the variation
 std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes);
 
-/// The variation of Θ of a drive. None if there are several inputs or redundant meshes, or if a
-/// mesh that moves the output is not a pair of involute gears or loses contact.
+/// Returns the variation of Θ of a drive. Returns none if there are several inputs or redundant
+/// meshes, or if a mesh that moves the output is not a pair of involute gears or loses contact.
 std::optional<double> windup_variation(const Drive& drive);
 
-/// Teeth of a drive that has no geometry: gears without profile shift, with the addendum 1.
+/// The teeth of a drive without geometry: gears without profile shift, with an addendum of one
+/// module.
 struct StandardTeeth {
   Angle normal_pressure_angle = Angle::degrees(20), helix_angle{};
   double face_modules = 10.0;  ///< b/m_n, the default of a drive
 
-  /// The contact of two gears if gear 1 drives; z2 < 0 for a ring.
+  /// Returns the contact of two gears if gear 1 drives. z2 is < 0 for a ring.
   WindupMesh mesh(int z1, int z2) const;
 };
 
-/// The variation of Θ of a planetary set whose gears have the given standard teeth. None if there
-/// are several inputs, redundant meshes or no planets, or if a mesh that moves the output loses
-/// contact or is not a mesh of a planet with a central gear.
+/// Returns the variation of Θ of a planetary set whose gears have the given standard teeth. Returns
+/// none if there are several inputs, redundant meshes or no planets. Also returns none if a mesh
+/// that moves the output loses contact or is not a mesh of a planet with a central gear.
 std::optional<double> windup_variation(const Drive& set, const StandardTeeth& teeth);
 
 }  // namespace gearwright

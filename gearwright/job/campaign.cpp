@@ -13,8 +13,8 @@ Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true))
     return std::optional<ChunkStore>();
-  // A scheduler starts and restarts ranks with the same command, which contains --resume. The
-  // first rank therefore continues an existing campaign, or starts one if there is none.
+  // A scheduler starts and restarts ranks with the same command, which contains --resume. The first
+  // rank therefore continues a campaign if there is one, and otherwise starts one.
   const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
                     : options.resume                                     ? OpenAs::resume
                                                                          : OpenAs::fresh;

@@ -1,6 +1,6 @@
 // A search, or a study of the designs of a search, runs in numbered chunks. Several processes may
-// share the chunks. Finished chunks stay in a folder, so that the work can be stopped, resumed and
-// divided.
+// share the chunks. A folder keeps the finished chunks, so that the work can be stopped, resumed
+// and divided.
 //
 // A build without the store (store/) compiles campaign_without.cpp, which rejects any folder.
 #pragma once
@@ -23,27 +23,27 @@ struct Campaign;   // store/chunk_store.hpp
 class ChunkStore;  // the folder of finished chunks
 
 struct CampaignOptions {
-  std::filesystem::path out;  ///< folder of the files; empty if there are none
+  std::filesystem::path out;  ///< folder of the files; empty if no files are written
   bool resume = false;
-  int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, starting at
-                                  ///< shard − 1
-  bool many = false;              ///< true if other shards or ranks may already have opened the
-                                  ///< folder
+  int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, from chunk
+                                  ///< shard − 1 on
+  bool many = false;              ///< true if another shard or rank may have opened the folder
+                                  ///< already
   bool together = false;          ///< true for a rank; the first rank opens the folder for all
                                   ///< ranks
   std::string writer = "search";  ///< name of this process in the journal
-  /// Returns the number of the next chunk in a queue that several processes share. If the
-  /// function is not set, the process has its own queue. Only one thread at a time calls it.
+  /// Returns the number of the next chunk in a queue that several processes share. If this function
+  /// is not set, the process has its own queue. Only one thread at a time calls the function.
   std::function<std::int64_t()> next_chunk;
-  /// Every rank calls this function once. The first rank passes whether it could open the
-  /// folder, and the function returns this value on all ranks. Every other rank passes true,
-  /// and does not open the folder if the function returns false.
+  /// Every rank calls this function once. The first rank passes true if it has opened the folder,
+  /// and all other ranks pass true. On every rank, the function returns the value that the first
+  /// rank passed. If this value is false, the other ranks do not open the folder.
   std::function<bool(bool opened)> folder_is_open;
   /// Waits until all processes are done. Returns true if this process makes the files.
   std::function<bool()> finish_together;
 };
 
-/// The chunks of one process, from which its threads draw.
+/// The chunks of one process. The threads of the process take chunks from this queue.
 class ChunkQueue {
  public:
   /// `todo` contains the numbers of the missing chunks in ascending order. `all` is the number of
@@ -56,7 +56,7 @@ class ChunkQueue {
   std::optional<std::int64_t> next() {
     const std::lock_guard lock(mutex_);
     if (next_chunk_) {
-      // Chunks that were finished when this process opened the folder are skipped.
+      // Chunks that were already finished when this process opened the folder are skipped.
       std::int64_t c = next_chunk_();
       while (c < all_ && !std::binary_search(todo_.begin(), todo_.end(), c)) c = next_chunk_();
       return c < all_ ? std::optional(c) : std::nullopt;
@@ -73,12 +73,12 @@ class ChunkQueue {
   std::mutex mutex_;
 };
 
-/// The reason why this build cannot keep finished chunks in a folder, or nothing if it can.
+/// Returns the reason why this build cannot keep finished chunks in a folder, or none if it can.
 std::optional<Error> refuse_folder();
 
-/// The store in options.out. If the first rank could not open the folder, all other ranks get
-/// no store. If `refused` is set, the folder is not opened, and `refused` is returned as the
-/// error.
+/// Opens the store in options.out. If the first rank could not open the folder, all other ranks get
+/// no store. If `refused` is set, the folder is not opened, and the function returns `refused` as
+/// the error.
 ///
 /// Throws    IoError
 /// Errors    `refused`; the errors of ChunkStore::open
@@ -87,7 +87,7 @@ Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
                                                 const CampaignOptions& options,
                                                 const std::optional<Error>& refused);
 
-/// The missing chunks of this process, in ascending order.
+/// Returns the missing chunks of this process, in ascending order.
 std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options);
 
 }  // namespace gearwright

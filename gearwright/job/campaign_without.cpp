@@ -1,4 +1,4 @@
-// The functions of campaign.hpp in a build without the store, which cannot save chunks in a folder.
+// Implements campaign.hpp for a build without the store, which cannot save chunks in a folder.
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/scatter_study.hpp"

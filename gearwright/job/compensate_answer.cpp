@@ -22,8 +22,8 @@ namespace gearwright {
 namespace {
 
 constexpr int kPositions = kLeastSpanPositions;
-// Under load, computing a curve of the transmission error takes a hundred times as long as without
-// load, so fewer positions and fewer corners of the range are computed.
+// Under load, a curve of the transmission error takes a hundred times as long as without load.
+// Fewer positions and fewer corners of the range are therefore computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -41,7 +41,8 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
   return errors;
 }
 
-// The scenario in which the errors `ranged` have the values `value`, in the units of their keys.
+// Returns the scenario in which the errors `ranged` have the values `value`, in the units of their
+// keys.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
   NamedErrors s{"", setup.place().errors};
@@ -60,7 +61,8 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   return ranged;
 }
 
-// The scenario of the errors in the spec, followed by a scenario for every corner of the range.
+// Returns the scenario of the errors in the spec, followed by a scenario for every corner of the
+// range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);
@@ -74,8 +76,8 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// The errors inside the ranges of [compensate.range], in the units of their keys, under which the
-// pair is worse than `known`. None if there are no such errors.
+// Returns errors within the ranges of [compensate.range] for which the pair is worse than `known`,
+// in the units of their keys. Returns none if there are no such errors.
 std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const ContactSetup& setup,
                                                                    const JobSpec& spec, Angle known,
                                                                    Progress* progress) {
@@ -101,9 +103,10 @@ std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const Contact
   return value;
 }
 
-// Computes the corrections for the scenarios. Without load, also searches the ranges for errors
-// under which the corrected pair is worse than in every scenario. Such errors become another
-// scenario, and the corrections are computed again, at most kMostInside times.
+// Computes the corrections for the scenarios. Without load, the function also searches the ranges
+// for errors under which the corrected pair is worse than in every scenario. If it finds such
+// errors, they become a further scenario, and the corrections are computed again. This happens at
+// most kMostInside times.
 Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
                          const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
                          std::vector<NamedErrors>& scenarios) {
@@ -142,8 +145,8 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
       0};
 }
 
-// For each torque, the worst score over all scenarios, once without and once with the corrections.
-// The scores are computed at the reported positions.
+// Returns, for each torque, the worst score over all scenarios, without and with the corrections.
+// The scores are computed at the positions of the report.
 std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
                                    const std::vector<double>& found) {
   std::vector<AimedLoad> loads;
@@ -163,8 +166,8 @@ std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask
   return loads;
 }
 
-// The verdict on the corrected spec. `loads` contains the scores under torque without and with
-// the corrections.
+// Returns the verdict on the corrected spec. `loads` contains the scores under torque without and
+// with the corrections.
 Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
                                 const std::vector<AimedLoad>& loads) {
   auto read = read_spec_tree(corrected);
@@ -178,7 +181,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
   // Two kinds of warnings of the job are kept: those about the load, and those about the range of
-  // errors. The latter still apply, because the range includes the errors of the spec.
+  // errors. The second kind still applies, because the range includes the errors of the spec.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -191,7 +194,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
 }
 
 // Adds the closed forms for circular-arc teeth to the answer. Returns the values of all corrections
-// from which the search starts. A value is 0 if there is no closed form for the correction.
+// with which the search starts. If a correction has no closed form, its value is 0.
 std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup,
                                  const std::vector<WorkshopCorrection>& corrections,
                                  CompensateAnswer& answer) {
@@ -243,8 +246,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // At least one position of the uncorrected pair must have contact. Otherwise, there is no
-  // transmission error to minimise.
+  // Without corrections, the pair must have contact in at least one position. Otherwise, there is
+  // no transmission error to minimise.
   if (!sampled_peak_to_peak(
           transmission_error(setup.pair(gear2_drives), job.spec.contact.positions)))
     return nothing_touches(setup);
@@ -309,8 +312,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
 
 namespace {
 
-// Pressures count as equal if they differ by less than this number of MPa, which is one
-// ten-thousandth of a usual flank pressure.
+// Pressures, MPa, count as equal if they differ by less than this. It is one ten-thousandth of a
+// usual flank pressure.
 constexpr double kSamePressure = 0.1;
 
 }  // namespace
@@ -326,8 +329,8 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
-  request.progress = nullptr;        // null, because progress is reported per trial
-  std::vector<Warning> of_the_pair;  // warnings about the uncorrected pair, which are not reported
+  request.progress = nullptr;        // null, because the progress counts trials
+  std::vector<Warning> of_the_pair;  // warnings about the uncorrected pair; they are not reported
   if (auto error = judge_load(held.task, held.task.contact(held.compliance), of_the_pair))
     return *error;
   return LoadedAim(std::make_shared<const Held>(std::move(held)));

@@ -1,10 +1,10 @@
-// The verb `compensate` computes corrections by which a workshop can compensate errors of a
+// The verb `compensate` computes corrections with which a workshop can compensate errors of a
 // housing.
 //
-// If closed forms exist for the teeth, they are computed first. One is the tool setting that
-// restores the contact of circular-arc teeth after a change of centre distance. The other is the
-// change of lead, for each gear, that removes the slope of the transmission error. Then the
-// requested corrections are computed for the whole range of errors.
+// Some teeth have closed forms, which are computed first. One closed form is the tool setting that
+// restores the contact of circular-arc teeth after a change of the centre distance. The other is
+// the change of lead, for each gear, that removes the slope of the transmission error. After that,
+// the requested corrections are computed for the whole range of errors.
 #pragma once
 
 #include <memory>
@@ -23,14 +23,14 @@ namespace gearwright {
 struct CompensateAnswer : CompensateView {
   Compensation result;
   std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections
-  Verdict verdict;  ///< verdict on the corrected pair under the spec's errors
+  Verdict verdict;  ///< of the corrected pair under the errors of the spec
 };
 
 /// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
 ///           `compensate.range` if nothing touches at a corner of the range, even with the computed
 ///           corrections
-/// `curves`  is described at CompensationTask::curves
+/// `curves`  see CompensationTask::curves
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);
 
@@ -38,10 +38,11 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& ans
 
 // The quantity that `compensate` minimises for loaded teeth, under the torques of [load].
 //
-// The compliance of the teeth is computed once, because corrections change the flanks by a few µm
-// only. If all corrections remove material from flanks with line contact, and their values are close
-// to those of an analysed pair, the gaps are derived from the gaps of that pair (NearbyLoad). For
-// all other values, the contact analysis is repeated.
+// The compliance of the teeth is computed only once, because corrections change the flanks by only
+// a few µm. The gaps of a corrected pair are usually derived from the gaps of a pair that has been
+// analysed (NearbyLoad). This requires that all corrections remove material from flanks with line
+// contact, and that their values are close to those of the analysed pair. In all other cases, the
+// contact analysis is repeated.
 //                                            theory: docs/theory/12-loaded-contact.md, [T12.20]
 
 class LoadedAim {
@@ -52,11 +53,12 @@ class LoadedAim {
   ///           slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
-  /// The peak-to-peak transmission error in rad, or the pressure in MPa, under the worst
-  /// torque. The gears that `corrections` modify must have fields of removed material.
+  /// Returns the aim. It is the peak-to-peak transmission error in rad, or the pressure in MPa,
+  /// under the worst torque. If `corrections` modify a gear, this gear must have a field of removed
+  /// material.
   CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
-  /// The score for each torque with this number of positions per pitch. loaded_scores describes the
-  /// cases in which a score is NaN.
+  /// Returns the score for each torque with this number of positions per pitch. See loaded_scores()
+  /// for the cases in which a score is NaN.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;
   int positions() const { return held_->task.request.positions; }
   const std::vector<double>& torques() const { return held_->task.request.torques; }  ///< N mm

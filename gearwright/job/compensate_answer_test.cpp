@@ -1,4 +1,4 @@
-// Corrections of whole specs that the fuzzer found.
+// Corrections of specs that the fuzzer found.
 #include "gearwright/job/compensate_answer.hpp"
 
 #include <gtest/gtest.h>

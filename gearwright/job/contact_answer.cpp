@@ -62,13 +62,13 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
        touch.gear});
 }
 
-// If the flanks of an internal pair overlap by more than this part of a pitch, the gears jam
-// regardless of the fillets. The fillets are then not examined, because many teeth overlap and
-// their computation can take half a minute.
+// If the flanks of an internal pair overlap by more than this fraction of a pitch, the gears jam
+// without any contact of the fillets. The fillets are then not examined. In this case, many teeth
+// overlap, and their computation can take half a minute.
 constexpr double kDeepOverlap = 0.05;
 
-// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
-// comparison of the outlines of the gears finds such a contact, [T2.34] and [T4.33].
+// Adds a warning if, under the errors, a tip meets a root fillet before the flanks touch. Without
+// errors, the comparison of the outlines finds such a contact, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const Gear& gear_2 = answer.setup->gear(2);
@@ -86,8 +86,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "cut by a pinion cutter or for circular fillets."});
     return;
   }
-  // Of equally spaced positions, only those in the first pitch are examined. The teeth have the
-  // same phases of contact in every other pitch.
+  // Equally spaced positions are examined only in the first pitch, because the phases of contact
+  // repeat in every pitch.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;
@@ -107,14 +107,14 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
     }
     driving.asked[i] < other.asked[j] ? ++i : ++j;
   }
-  // If the flanks alone jam, there is already a warning.
+  // If the flanks already jam, there is already a warning.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
   if (least && !flanks_jam)
     warn_of_jam(*least, answer.setup->gear(2), {}, "root fillets and flanks are", warnings);
 }
 
-// The contact of the working and of the non-working flanks at the positions of the input.
-// Derivatives are computed for the working flanks.
+// Returns the contact of the working and of the non-working flanks at the positions of the input.
+// Derivatives are computed only for the working flanks.
 template <class MeshOf>
 auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
   const ContactInput& input = job.spec.contact;
@@ -155,7 +155,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
   return answer;
 }
 
-// The error if pinion and rack touch at no position.
+// Returns the error for a pinion and a rack that touch at no position.
 Error no_touch_of_rack(const RackPair& rack, const ContactErrors& errors) {
   const bool exact = errors == ContactErrors();
   const double distance = rack.center_distance + errors.center_distance;
@@ -284,7 +284,8 @@ bool any_contact(const ContactResult& result) {
 
 ContactErrors errors_of(const SolvedJob& job) {
   if (!job.mounted()) return {};
-  // An error of the rack's teeth is rejected later, so the pinion may replace the rack here.
+  // An error of the rack's teeth is rejected later, so the pinion may take the place of the rack
+  // here.
   return job.spec.errors.of({&job.gears.front(), &job.gears.back()});
 }
 

@@ -1,6 +1,6 @@
 // The verb `contact` analyses the working and the non-working flanks under the errors and
-// modifications of the spec. The flanks belong to a pair, to a rack and its pinion, or to the two
-// halves of a double-helical pair. Each influence has the name that it has in results.
+// modifications of the spec. The flanks are those of a pair, of a rack and its pinion, or of both
+// halves of a double-helical pair. Each influence has the same name as in results.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,15 @@
 
 namespace gearwright {
 
-/// The errors of the spec, for a pair or a rack and its pinion. A single gear has no errors.
+/// Returns the errors of the spec, for a pair or for a rack and its pinion. A single gear has no
+/// errors.
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)
 /// Errors    the errors of ContactSetup::of
 Result<ContactSetup> setup_of(const SolvedJob& job);
 
-/// The errors, with the error `index` of error_entries() set to a value in its own unit.
+/// Returns `errors`, with the error `index` of error_entries() set to a value in its own unit.
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
@@ -32,16 +33,16 @@ struct NamedInfluence {
   Influence influence;
 };
 
-/// The influences of every error, and of every modification whose position on the flank is given.
-/// The influences of the modifications of a rack are not included.
+/// Returns the influences of every error, and of every modification with a given position on the
+/// flank. Influences of modifications of a rack are not included.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 struct ContactAnswer : ContactView {
   /// For a double-helical pair, the setup of the half at z > 0; none for a rack.
   std::optional<ContactSetup> setup;
-  ContactResult on_halves{};  ///< the positions of both halves, from which the verdict is computed
+  ContactResult on_halves{};  ///< positions of both halves, on which the verdict is based
 
-  /// The contact of the working flanks, in the form from which the verdict is computed.
+  /// The contact of the working flanks, in the form on which the verdict is based.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
@@ -50,8 +51,8 @@ bool any_contact(const ContactResult& result);
 
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
-/// Errors    the errors of setup_of; if no teeth touch at any position, `errors` or, without errors,
-///           `pair.center_distance`
+/// Errors    the errors of setup_of; if no teeth touch at any position, `errors` or, without
+///           errors, `pair.center_distance`
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);

@@ -17,20 +17,20 @@ namespace gearwright {
 
 namespace {
 
-// Line contact is narrow across the tooth and long along it, and the cells of the raster have the
+// Line contact is narrow across the tooth and long along it, and the cells of this raster have the
 // same proportions. For modules of a few mm, the gap then changes by some hundredths of a µm from
-// node to node and from position to position, so the border of a pattern is almost smooth.
+// node to node and from position to position. The border of a pattern is therefore almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
 constexpr RasterSize kGap{65, 129};
 constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
-constexpr int kMaxPositions = 1024;  // sufficient for the printed decimals of the peak-to-peak
-                                     // transmission error
+constexpr int kMaxPositions = 1024;  // sufficient for the printed decimals of the transmission
+                                     // error
 
-// Example: "tip relief 15 µm from 64.5 mm, helix crowning 8 µm". The text is empty if there are no
-// modifications.
+// Returns, for example, "tip relief 15 µm from 64.5 mm, helix crowning 8 µm". The text is empty if
+// there are no modifications.
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
@@ -66,7 +66,7 @@ std::vector<std::string> modifications_of(const SolvedJob& job) {
   return list;
 }
 
-// The position with contact that is nearest to the middle of the pitch.
+// Returns the position with contact that is nearest to the middle of the pitch.
 std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   std::optional<ContactPoint> best;
   for (const ContactPoint& p : points) {
@@ -76,8 +76,7 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   return best;
 }
 
-// True if this error is possible. For some gears, a change of lead is possible with one sign
-// only.
+// True if this error is possible. For some gears, a change of lead is possible only with one sign.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
@@ -98,7 +97,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (value[i] == 0.0) continue;
     for (const double v : {value[i], -value[i]}) {
-      if (v == value[i] && count == 1) continue;  // this error alone equals all errors together
+      if (v == value[i] && count == 1) continue;  // a single error equals all errors together
       if (!can_be(setup, i, v)) continue;
       const NamedAmount n = named_error(i, v);
       list.push_back({n.name + " " + words_of(n), with_error(setup, {}, i, v), false});
@@ -108,7 +107,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   return list;
 }
 
-// Each pattern is computed in its own task, so the result does not depend on the number of threads.
+// Each pattern is a separate task, so the result does not depend on the number of threads.
 void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& setup) {
   const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
@@ -139,8 +138,8 @@ ContactReport report_of(const FlankContact& flanks, const RasterSize& size) {
   return r;
 }
 
-// True if the positions of the answer are equally spaced over one pitch, as a report requires.
-// Otherwise the contact is computed again for the report.
+// True if the positions of the answer are equally spaced over one pitch, as the report requires. If
+// they are not, the contact is computed again for the report.
 bool fits_report(const ContactInput& input) {
   return input.rotations.empty() && input.pitches == 1;
 }
@@ -149,7 +148,7 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   const ContactInput& input = job.spec.contact;
   std::optional<ContactAnswer> over_pitch;
   if (!fits_report(input)) {
-    SolvedJob again = job;  // a copy, because its warnings have already been reported
+    SolvedJob again = job;  // a copy, because the warnings of `job` have already been reported
     again.spec.contact.map.reset();
     again.spec.contact.rotations.clear();
     again.spec.contact.pitches = 1;
@@ -277,8 +276,8 @@ NamedAmount named_error(std::size_t index, double value) {
 
 bool wants_contact(const SolvedJob& job) {
   if (!job.mounted()) return false;
-  // Circular arcs touch at points. Their contact ellipse and pattern are the reason for choosing
-  // such a pair, so they are always reported.
+  // Circular arcs touch at points. Such a pair is chosen for its contact ellipse and its pattern,
+  // so both are always reported.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
          (job.pair && job.pair->arcs());
 }
@@ -287,8 +286,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If the teeth of the nominal pair do not touch, no single number is wrong, so the warning
-    // omits the key and the value of the error.
+    // If the teeth of the nominal pair do not touch, no single number of the spec is wrong. The
+    // warning therefore omits the key and the value of the error.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

@@ -1,4 +1,5 @@
-// The contact part of the report contains the result, patterns and maps, and names errors in words.
+// The contact part of the report. It contains the result, patterns and maps, and describes errors
+// in words.
 #pragma once
 
 #include <memory>
@@ -11,11 +12,11 @@
 
 namespace gearwright {
 
-/// An error with its value in the unit of its key. `index` counts the rows of error_entries().
+/// Returns an error with its value in the unit of its key. `index` is the row in error_entries().
 NamedAmount named_error(std::size_t index, double value);
 
-/// True if there is a pair and either the spec has [errors], [contact] or modifications, or the
-/// teeth are circular arcs.
+/// True if the report has a contact part. This requires a pair. In addition, the spec must have
+/// [errors], [contact] or modifications, or the teeth must be circular arcs.
 bool wants_contact(const SolvedJob& job);
 
 /// The contact of one pair of flanks over a pitch, with the data of its pictures. The flanks belong
@@ -25,28 +26,28 @@ struct FlankContact : ContactScene {
   bool below = false;                       ///< true for the half at z < 0
   Angle behind{};                           ///< rotation of this half minus the rotation of gear 1
 
-  /// The patterns on both gears; for a rack, only the pattern on the pinion is used.
+  /// The patterns on both gears. For a rack, only the pattern on the pinion is used.
   std::array<FlankRaster, 2> pattern(int positions, const RasterSize& size) const;
   /// The gap on gear 1 at a position of this scene.
   FlankRaster gap(const ContactPoint& at, const RasterSize& size) const;
 };
 
-/// The contact of both halves, from their results over a pitch. If the halves are mirror images,
-/// the list has only the half at z > 0.
+/// Returns the contact of both halves, from their results over a pitch. If the halves are mirror
+/// images, the list contains only the half at z > 0.
 std::vector<FlankContact> flanks_of(const std::array<const Gear*, 2>& gears, const HalvesPair& pair,
                                     double marking,
                                     const std::array<const ContactResult*, 2>& results);
 
-/// A result and its part of the report. The report contains pointers into the job.
+/// A result and its part of the report. The report has pointers into the job.
 struct ContactPart {
   ContactAnswer answer;
   ContactReport report;
 };
 
-/// The contact part of a report, or nothing if the spec does not request it. If the result cannot
-/// be computed, there is no part either, and the job gets a warning. The report needs equally
-/// spaced positions over one pitch. If the spec gives other rotations, they apply to the result but
-/// not to the report.
+/// Returns the contact part of a report, or none if the spec does not request it. If the result
+/// cannot be computed, there is also no part, and the job gets a warning. The report needs equally
+/// spaced positions over one pitch. If the spec gives other rotations, they apply to the result
+/// only.
 ///
 /// Errors    the errors of answer_contact: modifications that do not fit, an impossible lead
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);

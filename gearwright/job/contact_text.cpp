@@ -17,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-// The kinds of contact with their shares of the positions. Words for contact at an edge are added
-// to `legend`.
+// Lists the kinds of contact with the fraction of positions that have each kind. If there is
+// contact at an edge, its explanation is added to `legend`.
 std::string kinds_of(const ContactResult& result, std::string& legend) {
   std::vector<std::pair<TouchKind, int>> count;
   for (const ContactPoint& p : result.positions) {
@@ -41,7 +41,8 @@ std::string kinds_of(const ContactResult& result, std::string& legend) {
   return text;
 }
 
-// The displacement that an angular error of the axes causes over the common face width, as text.
+// Returns, as text, the displacement over the common face width due to an angular error of the
+// axes.
 std::string over_face(const SolvedJob& job, double degrees) {
   double face = kInfinity;
   for (const Gear& gear : job.gears) face = std::min(face, gear.spec.face_width);
@@ -51,7 +52,8 @@ std::string over_face(const SolvedJob& job, double degrees) {
                      unit_text(units, Unit::um));
 }
 
-// Lists the transmission error and the movement of the whole gears, and where each half touches.
+// Lists the transmission error and the movement of the whole gears, and the position of contact on
+// each half.
 TextTable halves_table(const ContactAnswer& answer, UnitSystem units) {
   const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
   const std::string unit(unit_text(units, Unit::mm));
@@ -147,7 +149,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                       error_text(Angle::radians(greatest), 3), error_unit));
   }
   if (!answer.halves.empty()) return out + "\n" + table_listing(halves_table(answer, units));
-  // The rows are limited to one page. --json has all positions.
+  // The rows are limited to one page. The option --json lists all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   std::vector<std::string> names;
   records.clear();

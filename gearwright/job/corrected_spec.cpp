@@ -86,7 +86,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     bool gear2_drives) {
   Json tree = job.spec.tree->tables;
   const auto add = [](Json& table, const std::string& key, double value) {
-    // Rounding removes the additional digits of a sum of decimals in binary arithmetic.
+    // In binary arithmetic, a sum of decimals has additional digits. Rounding removes these digits.
     constexpr double kDigits = 1e9;
     const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
     table[key] = std::round(sum * kDigits) / kDigits;
@@ -99,24 +99,24 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       Json& rack = tree[gear_field(gear)]["rack"];
       const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
-      rack.erase("pressure_angle_deg");  // otherwise this key would contradict the new setting
+      rack.erase("pressure_angle_deg");  // this key would contradict the new setting
     } else if (c.is(CutterSetting::cutter_lead)) {
       add(tree["errors"], std::string(entry_of(c).key),
-          v[k]);  // the correction has the same key in [errors]
+          v[k]);  // the correction and the error have the same key in [errors]
     } else {
       const std::string name(entry_of(c).own_key());
       const bool slope = c.slope();
       Json& table = tree[gear_field(c.gear)]["modifications"];
       const std::string path = spec_key(setup, c, gear2_drives);
       const std::string own = path.substr(path.rfind('.') + 1);
-      // If the spec gives one slope for both flanks, the slope of this flank is the sum of the
-      // given slope and the correction.
+      // If the spec gives one slope for both flanks, the slope of this flank becomes the given
+      // slope plus the correction.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
-      // A correction for both flanks is also added to the separate amount of each flank.
+      // A correction for both flanks is also added to an amount that is given for a single flank.
       for (const char* side : {"left_", "right_"})
         if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
-      // If each flank has a separate amount, the common amount has no effect.
+      // If both flanks have separate amounts, the common amount has no effect and is removed.
       if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
     }
   }

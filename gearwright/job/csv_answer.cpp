@@ -29,10 +29,11 @@ bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.en
 const Value kNothing;
 
 using Cells = std::vector<const Value*>;
-using Rows = std::vector<const ValueRecord*>;  // a record for each row, null if the row has none
+using Rows = std::vector<const ValueRecord*>;  // a record for each row; null if the row has no
+                                               // record
 
-// Calls f(column, cells) for those columns of a table that JSON also has and in which at least one
-// row has a value.
+// Calls f(column, cells) for columns of a table. A column is included if JSON also has it and if at
+// least one row has a value.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {
@@ -56,8 +57,8 @@ void add_row(UnitSystem units, const QuantityInfo& info, const std::string& path
 }
 
 // Adds a quantity of one or two records. Plain values of two records, or two values of one record,
-// are side by side. A longer list of one record has a row for each value. Lists of records are in
-// --json only.
+// are side by side. A longer list of one record has a row for each value. Lists of records are
+// omitted, because only --json has them.
 void add_rows(UnitSystem units, const QuantityInfo& info, const std::string& path,
               const Cells& cells, std::string& out) {
   const ValueList* list = cells.front()->list();
@@ -97,7 +98,7 @@ struct CsvColumn {
 void add_columns(UnitSystem units, const std::string& name, const QuantityInfo& info,
                  const Cells& cells, std::vector<CsvColumn>& all) {
   if (info.of && info.list.empty()) return;  // the columns of the record follow separately
-  if (info.type == Type::map) return;        // a spec is in --json only
+  if (info.type == Type::map) return;        // only --json has a spec
   std::size_t longest = 0;
   Rows records;
   for (const Value* v : cells) {

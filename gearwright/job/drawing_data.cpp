@@ -22,14 +22,14 @@ namespace gearwright {
 
 namespace {
 
-// The member with this path, for example "span.length_mm", or null if it has no value.
+// Returns the member with this path, for example "span.length_mm", or null if it has no value.
 const Member* find(const ValueRecord& record, std::string_view path) {
   const Member* const m = member_at(record, path);
   return m && !all_nothing(m->value) ? m : nullptr;
 }
 
-// A value with the unit of the sheet. Lengths in inch have four decimals, even if the last one is
-// zero.
+// Returns a value with the unit of the sheet. Lengths in inch have four decimals, even if the last
+// one is zero.
 std::string number(const QuantityInfo& info, double value, UnitSystem units) {
   const UnitSystem own = system_of(info, units);
   if (unit_in(own, info.unit) == Unit::inch)
@@ -96,9 +96,9 @@ std::string rack_name(const JobSpec& spec, int which) {
 
 namespace {
 
-// The rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the mating
-// gear, and otherwise 0. The workshop may use another cutter than the default cutter, so its
-// generating centre distance is omitted.
+// Adds the rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the
+// mating gear, and otherwise 0. The workshop may replace the default cutter by another one, so the
+// generating centre distance of the default cutter is omitted.
 void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"
                              : mate > 0        ? fmt::format(", gear {}", mate)
@@ -153,7 +153,8 @@ DataGroup teeth(const SolvedJob& job, int which, const Records& r) {
   return group;
 }
 
-// Adds a size with the limits of its fit. If the size has no fit, the limits are left blank.
+// Adds a size with the limits of its fit. If the size has no fit, the cells of the limits are
+// blank.
 void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
                const std::string& symbol, double size, const std::string& fit,
                const std::optional<std::array<double, 2>>& deviations) {
@@ -161,7 +162,7 @@ void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
   const auto inch = [&](double x) { return fixed_decimals(value_in(units, Unit::mm, x), 4); };
   const std::string text = mm ? with_minus(short_decimals(size, 4)) : inch(size);
   group.rows.push_back({what, symbol, fit.empty() ? text : text + " " + fit});
-  // A limit of half a µm needs a fourth decimal.
+  // A limit that is a multiple of half a µm needs a fourth decimal.
   const auto limit = [&](double deviation) {
     if (!mm) return inch(size + deviation);
     const double um = 1e3 * (size + deviation);
@@ -235,7 +236,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
          short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-// The rows describe both halves of a double-helical gear, because they are mirror images.
+// Both halves of a double-helical gear are mirror images, so the rows describe both.
 DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
                         UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};
@@ -265,7 +266,8 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool ha
   return group;
 }
 
-// Without a flank tolerance class, the row of the class is blank, which the workshop notices.
+// If there is no flank tolerance class, its row is blank, so that the workshop notices that it is
+// missing.
 DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& measure) {
   if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
   DataGroup group{
@@ -279,7 +281,7 @@ DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& me
         "tolerances.runout_um", "flank.profile_evaluation_mm", "flank.helix_evaluation_mm"}) {
     const Member* const m = find(measure.nominal, path);
     if (!m) continue;
-    // The symbols of the edition of 1995 do not have the subscript T.
+    // In the edition of 1995, the symbols do not have the subscript T.
     std::string symbol = m->info->symbol, value = *measure.value(path);
     if (given.edition == FlankTolerances::iso_1995 && symbol.ends_with('T')) symbol.pop_back();
     if (m->info->unit == Unit::mm) value += fmt::format(" {}", unit_text(measure.units, Unit::mm));

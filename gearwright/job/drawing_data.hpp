@@ -12,8 +12,8 @@
 
 namespace gearwright {
 
-/// Whether the sign of a helix angle or lead is written. A drawing gives the hand instead of the
-/// sign.
+/// Determines whether the sign of a helix angle or lead is written. A drawing gives the hand
+/// instead of the sign.
 enum class Sign { kept, dropped };
 
 /// A record, and the same record at the lower and at the upper end of its tolerances.
@@ -22,7 +22,8 @@ struct Records {
   UnitSystem units;
   std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
 
-  /// The text of the member with this path, with its limits if there are any. None without a value.
+  /// Returns the text of the member with this path, with its limits if there are any, or none
+  /// without a value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
   /// True if the member with this path has different values at the two tolerance ends.
   bool has_limits(std::string_view path) const;
@@ -31,15 +32,16 @@ struct Records {
   std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const;
 };
 
-/// Adds the member with this path as a row with its words and its symbol, if it has a value.
+/// Adds a row for the member with this path, with its words and its symbol. Does nothing if the
+/// member has no value.
 void add_data(DataGroup& group, const Records& records, std::string_view path,
               Sign sign = Sign::kept);
 
-/// The row of the module, or of the diametral pitch in inch.
+/// Adds the row of the module or, in inch, of the diametral pitch.
 void add_module(DataGroup& group, const Records& records, double normal_module);
 
-/// The name of the standard basic rack of a gear in the spec, for example "AGMA-20". The default is
-/// "ISO 53-A".
+/// Returns the name of the standard basic rack of a gear in the spec, for example "AGMA-20". The
+/// default is "ISO 53-A".
 std::string rack_name(const JobSpec& spec, int which);
 
 /// Adds the distances of the rack from the axis of its pinion, and the backlash.
@@ -47,13 +49,13 @@ std::string rack_name(const JobSpec& spec, int which);
 /// Domain    the job has a rack (contract)
 void add_rack_mounting(DataGroup& group, const SolvedJob& job);
 
-/// The tables of a gear. Where the spec gives no limits of the tip diameter or of the tooth
-/// thickness, and where the drawing number of the mating part is empty, the workshop gets a blank
-/// row.
+/// Returns the tables of a gear. Some rows are blank, so that the workshop can fill them in. These
+/// are the limits of the tip diameter and of the tooth thickness, and the drawing number of the
+/// mating part, if the spec does not give them.
 std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
                                          const std::string& number_of_mate);
 
-/// The tables of the rack.
+/// Returns the tables of the rack.
 ///
 /// Domain    the job has a rack (contract)
 std::vector<DataGroup> rack_drawing_data(const SolvedJob& job, const std::string& number_of_pinion);

@@ -29,8 +29,8 @@ namespace gearwright {
 
 namespace {
 
-// The function of a body in the drive, "input", "held" or "output". For any other body with
-// several copies, the number of its copies.
+// Returns the function of a body in the drive, "input", "held" or "output". For any other body with
+// several copies, returns the number of copies.
 std::string part_of(const Drive& drive, std::size_t body) {
   if (drive.graph.is_input(body)) return "input";
   if (drive.graph.is_fixed(body)) return "held";
@@ -39,8 +39,8 @@ std::string part_of(const Drive& drive, std::size_t body) {
                                             : "";
 }
 
-// Rows for those bodies or meshes of a drive for which `has` is true, below a title. The listing is
-// empty if there are none.
+// Returns rows for the bodies or meshes of a drive for which `has` is true, below a title. If there
+// are none, the text is empty.
 template <class View, class List, class Has>
 std::string rows_of(UnitSystem units, const char* title, const Quantities<View>& quantities,
                     const Drive& drive, const List& list, const Has& has,
@@ -193,7 +193,7 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
 
 namespace {
 
-// Inputs, factors and safeties of each mesh, as in the rating of a pair.
+// Lists the inputs, factors and safety factors of each mesh, as in the rating of a pair.
 std::string factor_listing(const Drive& drive, UnitSystem units) {
   std::string out;
   for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
@@ -220,11 +220,12 @@ Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
 
 namespace {
 
-// The tables of a drive's spec that also apply to each of its meshes.
+// Tables of the spec of a drive that also apply to each of its meshes.
 constexpr const char* kShared[] = {"errors", "contact", "drawing", "scatter"};
 
-// The series of DIN 3967 whose mean allowance a gear has; empty if there is none. `name` is the name
-// of the gear in the graph, "s2_gear1" for a gear of stage 2.
+// Returns the series of DIN 3967 whose mean allowance the gear has. Returns an empty text if there
+// is no such series. `name` is the name of the gear in the graph, for example "s2_gear1" for a gear
+// of stage 2.
 std::string series_of(const Json& tables, const std::string& name, const CylindricalSpec& gear) {
   std::vector<const Json*> forms;
   const auto add = [&](const Json& table, const char* key) {
@@ -252,21 +253,21 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   table.erase("name");
   table.erase("body");
   if (const auto& rack = job.drive.graph.gears[gear].rack) {
-    Json bar = Json::object();  // the teeth are in the table of its pinion
+    Json bar = Json::object();  // the table of the pinion describes the teeth
     for (const auto& [key, value] : table.items())
       if (rack_bar_keys().find(key)) bar[key] = value;
     if (rack->thickness_allowance != 0.0) bar["thickness_allowance_mm"] = rack->thickness_allowance;
     return bar;
   }
-  // The addition replaces −0 by 0.
+  // Adding 0 replaces −0 by 0.
   if (table.contains("helix_angle_deg"))
     table["helix_angle_deg"] = table["helix_angle_deg"].get<double>() + 0.0;
   const auto& solved = job.drive.geometry.gears[gear];
   const auto& given = job.spec.drive->graph.gears[gear].spec;
   if (solved && solved->spec.thickness_allowance != given->thickness_allowance)
     table["thickness_allowance_mm"] = solved->spec.thickness_allowance;
-  // An allowance that is the mean of a series is replaced by the name of the series, so that the
-  // drawing has the limits of the series.
+  // If an allowance is the mean of a series, the name of the series replaces it. The drawing then
+  // has the limits of the series.
   const std::string series =
       solved ? series_of(job.spec.tree->tables, job.drive.graph.gears[gear].name, solved->spec)
              : "";
@@ -282,14 +283,15 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   return table;
 }
 
-// The load of a mesh in the rating of a drive, and how often its flanks engage.
+// The load of a mesh in the rating of a drive, and the number of engagements of its flanks.
 struct RatedLoad {
   RatingInput input;
   std::array<FlankUse, 2> use;
 };
 
-// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life is that
-// of the gear that engages more often. The bending is reversed if it is reversed for one gear.
+// Returns the table [rating] for one mesh. The load is that of one copy of the mesh. The life is
+// that of the gear with more engagements. The bending counts as reversed if it is reversed for one
+// of the gears.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})
@@ -367,7 +369,7 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
     }
   }
-  if (spec["pair"].empty()) spec.erase("pair");  // `pair` may dangle, because tables were added
+  if (spec["pair"].empty()) spec.erase("pair");  // `pair` may be invalid, as tables were added
   return {std::move(spec), std::move(notes)};
 }
 

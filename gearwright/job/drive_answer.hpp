@@ -1,4 +1,4 @@
-// The answer of the verb `drive`. Internal to job/ and its tests.
+// The answer of the verb `drive`. Internal to job/ and the programs.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,17 @@
 
 namespace gearwright {
 
-/// Tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a train.
+/// Returns tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a
+/// train.
 std::string drive_listing(const Drive& drive, UnitSystem units);
 
-/// The answer of the verb `drive`. It includes the drive under load if the spec has [load].
+/// Returns the answer of the verb `drive`. If the spec has [load], the answer includes the drive
+/// under load.
 ///
 /// Errors    the errors of solve_drive() and load_drive()
 Result<Answer> answer_drive(const JobSpec& spec, Progress* progress = nullptr);
 
-/// The answer of the verb `drive` with each mesh rated by ISO 6336.
+/// Returns the answer of the verb `drive`, with each mesh rated according to ISO 6336.
 ///
 /// Errors    the errors of solve_drive() and load_drive(); `rating.…` for the errors of
 ///           rate_meshes() and material_of()
@@ -31,8 +33,9 @@ inline constexpr std::size_t kDefaultDrives = kRankedDrives;
 
 bool searches_drives(const JobSpec& spec);
 
-/// The numbers of teeth of a candidate, for example "sun 19, planet 17, ring 56". If the stages of
-/// a train have different modules, the text also gives the modules: "19:58 (m 1.5), 20:66 (m 2.5)".
+/// Returns the numbers of teeth of a candidate, for example "sun 19, planet 17, ring 56". If the
+/// stages of a train have different modules, the text also gives the modules: "19:58 (m 1.5), 20:66
+/// (m 2.5)".
 std::string teeth_text(const DriveCandidate& c);
 
 /// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the numbers
@@ -42,26 +45,27 @@ std::string teeth_text(const DriveCandidate& c);
 /// Law       the drive of this spec equals drive_of() for the candidate
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
-/// The best drives of the search, each computed by the verb `drive`. Answer::specs contains the
-/// spec of each drive.
+/// Returns the best drives of the search, each computed by the verb `drive`. Answer::specs contains
+/// the spec of each drive.
 ///
 /// Domain    a spec with a search for drives (contract)
 /// Errors    the errors of search_drives(), with the keys of the spec
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefaultDrives,
                                    int threads = 0, Progress* progress = nullptr);
 
-// A mesh of a drive as a spec of its own, so that every verb for pairs applies to it.
+// Makes a separate spec of a mesh of a drive. Every verb for pairs can then be used with the mesh.
 
 struct MeshSpec {
   Json tables;
   std::vector<std::string> notes;  ///< sentences about the origin of the spec, faults of the drive,
-                                   ///< and tables that are left out
+                                   ///< and omitted tables
 };
 
-/// The spec of a mesh has its two gears at their centre distance, with the shifts and tip diameters
-/// that they have in the drive. If the mesh carries load, the spec also has the torque, the speed
-/// relative to the carrier, the driving gear and the rating. The tables for errors, contact,
-/// drawing and scatter are copied from the drive. If one gear is a rack, the rack is gear 2.
+/// Returns the spec of a mesh. It contains the two gears at their centre distance, with the shifts
+/// and tip diameters that they have in the drive. If the mesh carries load, the spec also contains
+/// the torque, the speed relative to the carrier, the driving gear and the rating. The tables for
+/// errors, contact, drawing and scatter are copied from the drive. If one gear is a rack, the rack
+/// is gear 2.
 ///
 /// Laws      the pair of this spec has the same numbers as the mesh in the drive
 /// Domain    expanded = expanded_spec() of the drive (contract)

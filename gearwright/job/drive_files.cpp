@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The solids and outlines of a drive. A kind of file that is not possible for the drive is
-// omitted or, if the user has named this kind, causes an error with the reason.
+// Makes the solids and outlines of a drive. If a kind of file is not possible for the drive, it is
+// omitted. If the user has named this kind, the result is an error with the reason instead.
 Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> files;

@@ -18,7 +18,8 @@ namespace gearwright {
 
 namespace {
 
-// The key for a change in the table that describes the drive; empty if there is no such key.
+// Returns the key for a change in the table that describes the drive, or an empty text if there is
+// none.
 std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
   const auto key = [&]() -> const char* {
     switch (change.what) {
@@ -36,7 +37,7 @@ std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange&
   if (tree.contains("planetary")) return fmt::format("planetary.{}.{}", key, name);
   if (tree.contains("drive"))
     return fmt::format("drive.{}[{}].{}", mesh ? "mesh" : "gear", change.index + 1, key);
-  return "";  // the table of a stage uses other names for its keys
+  return "";  // a stage has other names for its keys
 }
 
 // Checks double-helical gears and adds their warnings.
@@ -99,7 +100,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.why_no_layout = fmt::format("The drive cannot be assembled: {}{}.",
                                     why.value.empty() ? "" : why.value + " ", why.rule);
   }
-  // The members of a gear or a rack have the same keys in every table of a drive as in [gear2].
+  // In every table of a drive, the members of a gear or a rack have the same keys as in [gear2].
   for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear2");
   job.verdict = judge(job);
   return job;
@@ -107,7 +108,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
 
 namespace {
 
-// Sets K_γ of each mesh, if [rating] gives it by mesh or as "computed".
+// Sets K_γ of each mesh, if [rating] gives K_γ by mesh or as "computed".
 std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, const Drive& drive,
                                             DriveLoad& load) {
   const DriveGraph& graph = drive.graph;
@@ -154,7 +155,7 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
         "; a rating needs a load. Give torque_Nm, or power_kW with speed_rpm, on the "
         "input of the drive or in [rating]");
   constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
-                                      // rounding
+                                      // rounding errors
   if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own)) {
     if (const auto& power = spec.rating.power)
       return Error{"rating.power_kW", format_number(*power),
@@ -204,14 +205,14 @@ std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec) {
 
 namespace {
 
-// A finding if the planets under load have a greater K_γ than the rating or, without a rating, if
-// their shares are very unequal.
+// Returns a finding if the planets under load have a greater K_γ than the rating. Without a rating,
+// returns a finding if the load shares of the planets are very unequal.
 std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
-  // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
-  // less than the uncertainty of S_F and S_H.
+  // If K_γ changes by a small fraction, S_F changes by the same fraction and S_H by half of this
+  // fraction. One hundredth is far less than the uncertainty of S_F and S_H.
   constexpr double kSameFactor = 0.01;
-  // Without a rating, a planet that carries twice an equal share is a finding. If one of two
-  // planets carries the whole load, its K_γ is 2 with a rounding error.
+  // Without a rating, there is a finding if a planet carries twice an equal share. If one of two
+  // planets carries the whole load, its K_γ is 2 except for rounding.
   constexpr double kUnequal = 2.0 - 1e-9;
   const bool rated = !drive.ratings.empty();
   const PlanetShares* worst = nullptr;

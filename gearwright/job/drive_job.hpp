@@ -30,50 +30,52 @@ struct DriveJob {
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
-/// The [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the result.
+/// Returns the [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the
+/// result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
-/// The load for a rating. [rating] or the drive gives it.
+/// Returns the load for a rating, which [rating] or the drive gives.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
-/// A function that rates each mesh of a drive under the load of [rating], or under the torque of
-/// the drive. The materials of the spec are read once. `spec` must outlive the function.
+/// Returns a function that rates each mesh of a drive, under the load of [rating] or the torque of
+/// the drive. The materials of the spec are read only once. `spec` must outlive the function.
 ///
 /// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
 std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
-///           contradictory; the errors of mesh_spec() for a pair under load, with the mesh
-///           named in the rule; the errors of loaded_drive()
+///           contradictory; the errors of mesh_spec() for a pair under load, with the name of the
+///           mesh in the rule; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
 enum class RateMeshes { no, if_given, yes };
 
-/// Computes the drive of a spec with all other results, and the verdict on them. By default, the
-/// meshes are rated if the spec has [rating]. If the spec has [load], the drive is also computed
-/// under load.
+/// Computes the drive of a spec with all other results, and the verdict on these results. By
+/// default, the meshes are rated if the spec has [rating]. If the spec has [load], the drive under
+/// load is also computed.
 ///
 /// Errors    the errors of solve_drive(), drive_rater() and load_drive()
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr,
                                    RateMeshes rating = RateMeshes::if_given);
 
-/// The required safeties of [rating]; 1 if they are absent.
+/// Returns the required safety factors of [rating]. If they are absent, they are 1.
 Safeties wanted_safety(const JobSpec& spec);
 
-/// The verdict on the drive, including the safeties if the drive is rated.
+/// Returns the verdict on the drive. If the drive is rated, the verdict includes the safety
+/// factors.
 Verdict judge(const DriveJob& job);
 
 /// Errors    a drive without a layout; the errors of drive_solids()
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 
-/// The first solid with a gear of this name, on the plane z = 0 for printing.
+/// Returns the first solid with a gear of this name, on the plane z = 0 for printing.
 ///
 /// Errors    as drive_bodies(); the option `gear` if there is no such gear
 Result<std::vector<ToothedBody>> drive_part(const DriveJob& job, const std::string& name);
 
-/// Makes one file of these solids with make_file(). In a 3MF file the bodies are laid out for
+/// Makes one file of these solids with make_file(). In a 3MF file, the bodies are laid out for
 /// printing.
 ///
 /// Errors    `drive` if an outline is requested and the gears lie in several planes; the errors of
@@ -82,13 +84,13 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::vector<ToothedBody>& bodies,
                                 const std::filesystem::path& path, const FileOptions& options);
 
-/// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
-/// drive.3mf (laid out for printing). If all gears lie in one plane, the files also include the
-/// outlines, drive.dxf and drive.svg.
+/// Makes the files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb
+/// and drive.3mf (laid out for printing). If all gears lie in one plane, the function also makes
+/// the outlines drive.dxf and drive.svg.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 
-/// Writes the files of make_drive_files() in the same way as write_everything().
+/// Writes the files of make_drive_files(), in the same way as write_everything().
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 

@@ -17,9 +17,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
-                                      // rounding
+                                      // rounding errors
 
-// The error if the spec gives keys of [load] that apply to a single pair only.
+// Returns an error if the spec gives keys of [load] that apply only to a single pair.
 std::optional<Error> not_for_drives(const JobSpec& spec) {
   for (const char* key :
        {"driver", "rotation1_deg", "deflection_slope_um", "deflection_bow_um", "probe"})
@@ -31,7 +31,7 @@ std::optional<Error> not_for_drives(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The torque on the input in N m, from the drive or from [load].
+// Returns the torque on the input in N m, from the drive or from [load].
 Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   const auto& own = drive.graph.torque_Nm;
   const auto& given = spec.load.torques;
@@ -52,8 +52,8 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   return given.empty() ? std::abs(*own) : given.front();
 }
 
-// The position errors of the pins in mm. A single number applies to the first pin, and the
-// other pins have no error.
+// Returns the position errors of the pins in mm. A single number applies to the first pin, and the
+// other pins then have no error.
 std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   std::vector<double> pins;
   for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);
@@ -70,7 +70,7 @@ bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
 }
 
 // If a gear of a mesh has no bore, the computation assumes a diameter at which its body is held.
-// Adds a finding for each such gear, but only for the first of its meshes.
+// The function adds a finding for each such gear, but only for the first mesh of the gear.
 void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
                const std::vector<Warning>& warnings) {
   for (const Warning& w : warnings) {
@@ -84,13 +84,13 @@ void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
   }
 }
 
-// The mesh as a pair under load, from the spec that --take prints.
+// Returns the mesh as a pair under load. The pair is made from the spec that --take prints.
 Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t mesh,
                                const LoadInput& load) {
   Json tables = mesh_spec(job, expanded, mesh).tables;
   for (const char* table : {"rating", "scatter", "drawing"}) tables.erase(table);
-  // [load] must have a torque. Its value has no effect, because only the gear bodies, the
-  // slices and the accuracy of the request are used.
+  // [load] must have a torque, but its value has no effect. Only the gear bodies, the slices and
+  // the accuracy of the request are used.
   tables["load"]["torque_Nm"] = 1.0;
   const auto spec = read_spec_tree(tables);
   if (!spec) return spec.error();

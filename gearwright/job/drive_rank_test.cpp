@@ -155,7 +155,7 @@ TEST(DriveRank, AMissingLoadIsAnError) {
   EXPECT_EQ(answer.error().field, "rating.torque_Nm");
 }
 
-// A search that sizes the faces ranks by the mass with the chosen widths.
+// A search that computes the face widths sorts by the mass of the drives with these widths.
 TEST(DriveRank, TheMassHasTheChosenWidths) {
   const Answer answer = ranked_search(
       "kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [17, 22]\n"

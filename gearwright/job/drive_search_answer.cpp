@@ -33,7 +33,7 @@ struct FoundDrives {
   std::optional<double> default_face_load{};
 };
 
-// A change that the user may try if the search finds no drive.
+// Returns a change that the user may try if the search finds no drive.
 std::string advice(const FoundDrives& f) {
   auto left_out = f.designs.left_out;
   left_out[static_cast<std::size_t>(DriveFault::safety)] += f.designs.hopeless;
@@ -50,7 +50,7 @@ std::string advice(const FoundDrives& f) {
         "another number of stages.",
         least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
-  // The size is the last limit, so these drives satisfy all other limits.
+  // The size is the last limit that is checked, so these drives satisfy all other limits.
   if (f.result.found.empty() && f.result.rejected[static_cast<std::size_t>(DriveLimit::size)] > 0)
     return "All drives that satisfy the other limits are greater than size_max_mm. Give a greater "
            "size_max_mm, smaller numbers of teeth or a smaller module.";
@@ -192,7 +192,7 @@ std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   return out;
 }
 
-// True if `search.material` is a table by member with this member.
+// True if `search.material` is a table by member that contains this member.
 bool has_own_material(const JobSpec& spec, SetMember member) {
   const Json& search = spec.tree->tables["search"];
   return search.contains("material") && search["material"].contains(to_string(member));
@@ -235,15 +235,15 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   DriveSearchProblem& problem = task.problem;
   const bool rated = rates_drives(spec, problem);
   if (auto error = set_densities(spec, problem)) return *error;
-  // If the search chooses the shifts of rated trains, their sliding has the same limit as that of
-  // rated pairs. Planetary sets have no such limit, because no shifts of small sets satisfy it.
+  // If the search chooses the shifts of rated trains, the limit of their sliding is that of rated
+  // pairs. Planetary sets have no such limit, because no shifts of small sets satisfy it.
   const PerMember& shift = problem.base.profile_shift;
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())
     problem.sliding = kDrawnSliding;
-  // With limits of the centre distances, every choice of modules is a candidate of its own. Trains
-  // with one module are treated like trains with several modules if their order by mass requires an
-  // estimate of their face widths.
+  // If the centre distances are limited, every choice of modules is a separate candidate. Trains
+  // with one module may also be treated like trains with several modules. This is done if the order
+  // by mass requires an estimate of the face widths.
   problem.module_per_stage =
       problem.kind == DriveKind::train && rated && !problem.center_distance &&
       (problem.modules.size() > 1 ||

@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMaxContact = 20.0;  // more than any real pair
+constexpr double kMaxContact = 20.0;  // greater than that of any real pair
 constexpr const char* kChosen =
     "cannot be combined with `fit.few_teeth` = true, which determines this value; leave it out";
 
@@ -28,8 +28,8 @@ std::string shown(const std::optional<T>& given) {
   return given ? shown(*given) : std::string();
 }
 
-// The error for the first value of the spec that few_teeth itself determines, or nothing if the
-// spec gives no such value.
+// Returns the error for the first value of the spec that few_teeth itself determines. Returns none
+// if the spec gives no such value.
 std::optional<Error> out_of_place(const JobSpec& spec) {
   for (const int which : {1, 2}) {
     const GearInput& g = spec.gear(which);
@@ -87,14 +87,15 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The value with nine decimals, as on a drawing. This removes the rounding error of a conversion.
+// Returns the value with nine decimals, as on a drawing. Rounding removes the error of a
+// conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
-// The profile shift, rounded to nine decimals if this changes it by less than 1e-12. A shift that
-// was computed from a centre distance keeps all digits.
+// Rounds the profile shift to nine decimals if this changes it by less than 1e-12. A shift that was
+// computed from a centre distance keeps all its digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
-// The tip diameter, rounded so that the tooth is never longer than computed.
+// Rounds the tip diameter so that the tooth is not longer than computed.
 double tip_as_drawn(double d, double side) { return side * std::floor(side * d * 1e4) / 1e4; }
 
 Json pinion_json(const CylindricalSpec& c, const Json& given) {
@@ -116,7 +117,7 @@ Json pinion_json(const CylindricalSpec& c, const Json& given) {
   return g;
 }
 
-// The spec with the computed numbers instead of [fit]. Title, bore and rack are copied.
+// Returns the spec with the computed numbers in place of [fit]. Title, bore and rack are copied.
 Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   const Json& given = spec.tree->tables;
   Json tree;
@@ -154,8 +155,8 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
   return std::nullopt;
 }
 
-// A sentence about the backlash and the tip clearances of the design. The backlash of [fit] is
-// circumferential, and that of the pair is measured in the normal section.
+// Returns a sentence about the backlash and the tip clearances of the design. The backlash of [fit]
+// is circumferential, while that of the pair is measured in the normal section.
 std::string remark_of(const FewTeethDesign& d) {
   const auto& c = d.pair.tip_clearance;
   const auto& j = d.pair.mesh.backlash;

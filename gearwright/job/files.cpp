@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The note about flank modifications that the file omits, and about gears that belong to one body
-// but are separate solids in the file.
+// Returns a note for a file. The note names flank modifications that the file omits, and gears that
+// belong to one body but are separate solids in the file.
 std::string deviations(const std::vector<ToothedBody>& bodies) {
   std::string note;
   for (const ToothedBody& body : bodies) {
@@ -49,7 +49,8 @@ std::string deviations(const std::vector<ToothedBody>& bodies) {
   return note;
 }
 
-// The note about flank modifications for a drawing, which shows the section of the teeth as cut.
+// Returns a note about flank modifications for a drawing. Drawings show the section of the teeth as
+// cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
     if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
@@ -121,8 +122,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// The error if the spec requests results that are not available for these gears. A rack and its
-// pinion have only geometry, contact, a report and files. Double-helical gears have everything
+// Returns an error if the spec requests results that are not available for these gears. A rack and
+// its pinion have only geometry, contact, a report and files. Double-helical gears have all results
 // except corrections.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair, rack = job.rack.has_value();
@@ -219,7 +220,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   };
   auto made = make(bodies);
   if (made) return made;
-  // Modified teeth may have too many faces for a file. If so, the file contains the teeth as
+  // Modified teeth may have too many faces for a file. In this case, the file contains the teeth as
   // cut.
   std::vector<ToothedBody> as_cut = bodies;
   bool modified = false;
@@ -244,11 +245,12 @@ void write_files(const std::vector<JobFile>& files) {
 
 namespace {
 
-// Makes solids, meshes, outlines and the drawing. A gear without an outline gets a warning instead.
+// Makes solids, meshes, outlines and the drawing. A gear without an outline causes a warning
+// instead.
 Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> made;
-  std::vector<ToothedBody> mounted;  // gears of the pair that have an outline, in mounted position
+  std::vector<ToothedBody> mounted;  // mounted gears that have an outline
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
     if (!options.wants(ending(kind).substr(1))) return std::nullopt;
@@ -302,7 +304,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const auto scatter = scatter_part(job, options.progress);
   if (!scatter) return scatter.error();
   std::optional<ScatterView> scatter_shown;
-  std::optional<PatternDensity> density;  // computed for a figure of the report if the results do
+  std::optional<PatternDensity> density;  // computed for a figure of the report, if the results do
                                           // not contain it
   if (*scatter) {
     scatter_shown = scatter_view(job, **scatter);

@@ -25,8 +25,8 @@ struct ReportFile;  // report/report.hpp
 
 using OnFile = std::function<void(std::string_view what)>;
 
-/// The tolerances that a user may choose, in mm. A finer tolerance would make files that no program
-/// can read.
+/// The tolerances that a user may choose, mm. Files with a finer tolerance would be too large for
+/// any program to read.
 struct ToleranceRange {
   double least, greatest;
 };
@@ -45,8 +45,8 @@ struct FileOptions {
   bool wants(std::string_view part) const;
 };
 
-/// Parts of `run`: the result, the report, the drawing (PDF, A4), and the other kinds of files,
-/// each named by its extension.
+/// The parts of `run`: the result, the report, the drawing (PDF, A4), and other kinds of files,
+/// which are named by their extension.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -57,30 +57,31 @@ struct JobFile {
   std::string note;                    ///< "1208 triangles", "123 faces"
   std::string bytes;                   ///< the file
 
-  /// The deviation as it is printed, µm. Below 0.001 µm it is a rounding error.
+  /// Returns the deviation as it is printed, µm. A deviation below 0.001 µm is a rounding error.
   double printed_deviation_um() const { return std::max(0.001, *deviation_mm * kUmPerMm); }
 };
 
 enum class FileKind { step, stl, glb, threemf, dxf, svg };
 
-/// The extension of file names of this kind, ".step" and so on.
+/// Returns the extension of file names of this kind, for example ".step".
 std::string_view ending(FileKind kind);
 
-/// The pose of a gear or of the rack in the housing; the identity if the gears are not mounted.
+/// Returns the pose of a gear or of the rack in the housing. If the gears are not mounted, the pose
+/// is the identity.
 SolidPose pose_of(const SolvedJob& job, int which);
 
-/// One gear, or the rack, as a body in its own frame.
+/// Returns one gear, or the rack, as a body in its own frame.
 ///
 /// Errors    the reason why the gear has no outline: an internal gear, a severed tooth, a root
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which);
 
-/// Converts an error of cad/ about a body to an error about the gear. An error about teeth or
-/// bore keeps its member. An error about a tolerance or a number of faces, which a spec does
-/// not contain, names the whole gear.
+/// Converts an error of cad/ about a body to an error about the gear. If the error is about teeth
+/// or bore, its member is kept. If it is about a tolerance or a number of faces, which a spec does
+/// not contain, the new error names the whole gear.
 Error of_body(Error error, const std::string& name);
 
-/// Makes one file with these bodies, in memory, so that all errors occur before anything is
+/// Makes one file with these bodies, in memory. All errors therefore occur before anything is
 /// written. If the file cannot contain modified flanks, it has the teeth as cut, and its note gives
 /// the reason.
 ///
@@ -93,24 +94,25 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 /// Writes the files, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// Makes the folder and writes the files of a run into it. Also removes files of an earlier run, if
-/// they are unchanged and this run does not write them. All other files stay.   Throws  IoError
+/// Makes the folder and writes the files of a run into it. Files of an earlier run are removed if
+/// they are unchanged and if this run does not write them. All other files are kept.   Throws
+/// IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 
 struct RunFiles {
   std::vector<JobFile> files;
-  std::string result;  ///< result.json, whether or not it is written
+  std::string result;  ///< result.json, even if it is not written
   Verdict verdict;
 };
 
-/// Makes the files of `run` in memory. Nothing is written, although the paths are in `folder`.
+/// Makes the files of `run` in memory. Nothing is written yet, but the paths are those in `folder`.
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
 /// Writes the files of the job into `folder`: result.json, report.html, drawing.pdf, gear1.*,
-/// gear2.* and pair.*, as far as the job has them. If FileOptions::only is not empty, only
-/// these parts are written. A gear without an outline has no files, and the job gets a warning.
+/// gear2.* and pair.*, if the job has them. If FileOptions::only is not empty, only these parts are
+/// written. A gear without an outline has no files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

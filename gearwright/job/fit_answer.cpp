@@ -20,7 +20,7 @@ namespace {
 
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
 
-// The keys that determine the helix angle of a gear. They are all replaced by the computed angle.
+// The keys that determine the helix angle of a gear. The computed angle replaces all of them.
 constexpr const char* kHelixKeys[] = {"helix_angle_deg", "lead_angle_deg", "hand"};
 
 Json spec_of(const JobSpec& spec, const FitBranch& b) {
@@ -39,7 +39,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
     tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
-  tree["pair"].erase("mounting");  // the centre distance is given explicitly
+  tree["pair"].erase("mounting");  // the spec gives the centre distance
   return plain_first(tree);
 }
 
@@ -57,7 +57,8 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The reason why the verb pair rejects the spec of a branch, or nothing if it accepts the spec.
+// Returns the reason why the verb `pair` rejects the spec of a branch, or none if it accepts the
+// spec.
 std::optional<std::string> why_refused(const Json& tree) {
   const auto branch = read_spec_tree(tree);
   if (!branch) return branch.error().message();

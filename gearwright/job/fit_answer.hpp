@@ -1,9 +1,9 @@
-// The verbs fit and identify compute gears that the spec does not give completely. Internal to job/
-// and the program.
+// The verbs `fit` and `identify` compute gears that the spec does not give completely.
+// Internal to job/ and the programs.
 //
-// The verb fit computes the numbers that are absent in a spec. An absent key means an unknown
-// number here, not the default of the key. Every branch of the solution is returned as a spec for
-// the other verbs.
+// The verb `fit` computes the numbers that are absent in a spec. Here, an absent key means an
+// unknown number and not the default of the key. Every branch of the solution is returned as a spec
+// for the other verbs.
 #pragma once
 
 #include <string>
@@ -33,7 +33,8 @@ Json fit_json(const FitAnswer& answer);
 
 std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
-// The verb fit for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
+// The verb `fit` for a pinion with few teeth and the wheel that the pinion cuts ([fit] few_teeth =
+// true).
 
 /// Errors    keys of the spec that are not allowed here, or are missing
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
@@ -44,14 +45,14 @@ struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
   std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
-  /// For each candidate, a sentence with its number and likelihood, followed by sentences about
-  /// data of the gear that the readings do not determine.
+  /// For each candidate, a sentence with its number and likelihood. Sentences about data of the
+  /// gear that the readings do not determine follow.
   std::vector<std::vector<std::string>> notes;
   std::vector<Warning> warnings;
 };
 
-/// Computes the candidates for the unknown gear of the spec. If both gears have readings, this is
-/// gear 1, and a warning names the readings of gear 2 that were not used.
+/// Computes the candidates for the unknown gear of the spec. If both gears have readings, gear 1 is
+/// the unknown gear. A warning then names the readings of gear 2 that were not used.
 ///
 /// Errors    `gear1.measured` if it is missing; the errors of identify(), with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);

@@ -17,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-// True if another key of the spec determines the thickness of the teeth, so that a thickness
-// allowance would contradict it.
+// True if another key of the spec determines the thickness of the teeth. A thickness allowance
+// would contradict this key.
 bool gives_thickness(const Json& tree, const Json& gear) {
   const auto has = [](const Json& table, std::initializer_list<const char*> keys) {
     return std::any_of(keys.begin(), keys.end(),
@@ -30,7 +30,7 @@ bool gives_thickness(const Json& tree, const Json& gear) {
          has(tolerance, {"thickness_series", "span_mm", "over_balls_mm"});
 }
 
-// A computed value with six decimals, because readings are less accurate.
+// Rounds a computed value to six decimals, because readings are less accurate.
 double six_decimals(double value) { return std::round(1e6 * value) / 1e6; }
 
 double six_decimals(UnitSystem units, double mm) {
@@ -39,7 +39,7 @@ double six_decimals(UnitSystem units, double mm) {
   return inch.to_metric(six_decimals(inch.to_inch(mm)));
 }
 
-// The spec with the computed data of a gear instead of its readings. Other keys are kept.
+// Returns the spec with the computed data of a gear in place of its readings. Other keys are kept.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   Json tree = spec.tree->tables;
   Json& gear = tree[gear_field(which)];
@@ -55,15 +55,15 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   const double allowance = six_decimals(spec.units(), found.thickness_allowance);
   if (allowance != 0.0 && !gear.contains("thickness_allowance_mm") && !gives_thickness(tree, gear))
     gear["thickness_allowance_mm"] = allowance;
-  // A spec does not need the key for ISO53-A, the default rack.
+  // ISO53-A is the default rack, so the spec needs no key for it.
   if (!found.rack.empty() && found.rack != "ISO53-A") gear["rack"] = found.rack;
   if (!gear.contains("tip_diameter_mm"))
     gear["tip_diameter_mm"] = six_decimals(spec.units(), found.tip_diameter);
   return tree;
 }
 
-// The name of a reading with its tool, for example "span over 3 teeth" or "dimension over balls of
-// 5 mm".
+// Returns the name of a reading with its tool, for example "span over 3 teeth" or "dimension over
+// balls of 5 mm".
 std::string tool_text(Reading reading, double tool) {
   switch (reading) {
     case Reading::span: return fmt::format("span over {:.0f} teeth", tool);
@@ -78,7 +78,8 @@ std::string tool_text(Reading reading, double tool) {
 
 const char* reading_unit(Reading reading) { return reading == Reading::helix_angle ? "°" : " mm"; }
 
-// The beginning of a sentence about readings that seem to be in inch instead of mm, or the reverse.
+// Returns the beginning of a sentence about readings that seem to have the wrong unit, inch instead
+// of mm or mm instead of inch.
 const char* group_text(Reading mistake) {
   switch (mistake) {
     case Reading::all: return "all lengths are";
@@ -101,8 +102,8 @@ std::string module_text(const IdentifiedGear& g) {
                                         : fmt::format("{:g}", g.normal_module);
 }
 
-// The sentence about a measured tip diameter that differs from the nominal one. It is empty if they
-// agree.
+// Returns the sentence about a measured tip diameter that differs from the nominal one. The text is
+// empty if both agree.
 std::string tip_fact(const IdentifiedGear& g, double measured) {
   const std::string nominal = fmt::format("{:.3f} mm", g.nominal_tip_diameter);
   switch (g.tip) {
@@ -125,8 +126,8 @@ std::string tip_fact(const IdentifiedGear& g, double measured) {
   return "";
 }
 
-// Sentences about data of a candidate that the readings do not determine, and about the values that
-// represent these data in `spec`, the table of the gear.
+// Returns sentences about data of a candidate that the readings do not determine. They also give
+// the values of these data in `spec`, the table of the gear.
 std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g,
                                     const Json& spec) {
   std::vector<std::string> facts;
@@ -202,11 +203,11 @@ std::string alternative_text(const Identification& found, UnitSystem units) {
                      group_text(a.mistake), other, g.teeth, gear);
 }
 
-// The sentence about two likely candidates that no usual measurement distinguishes. It is empty if
-// there is only one likely candidate.
+// Returns the sentence about two likely candidates that no usual measurement distinguishes. The
+// text is empty if there is only one likely candidate.
 std::string undecided_text(const Identification& found) {
-  // The least likelihood of a likely candidate, and in degrees the least difference of two helix
-  // angles that a measurement can distinguish.
+  // kLikely is the least likelihood of a likely candidate. kClear, in degrees, is the least
+  // difference of two helix angles that a measurement can distinguish.
   constexpr double kLikely = 0.01, kClear = 0.1;
   if (found.next || found.candidates.size() < 2 || found.candidates[1].likelihood < kLikely)
     return "";

@@ -33,8 +33,8 @@ Judged judged_rack(const RackPair& rack, const std::vector<Warning>& warnings) {
   return judged;
 }
 
-// The pinion and its rack with one change of the pinion. None for a change whose effect only a
-// contact analysis shows.
+// Returns the pinion and its rack with one change of the pinion. Returns none if only a contact
+// analysis can show the effect of the change.
 std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange& change,
                                          TryDepth depth) {
   GivenPair given = *job.given;

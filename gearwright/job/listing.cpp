@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kWordsWidth = 38;  // width of the labels, unless one is longer
+constexpr std::size_t kWordsWidth = 38;  // width of the labels, unless a label is longer
 constexpr std::size_t kSymbolWidth = 9;  // the longest symbol, "F_z/F_t", and two blanks
 constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; a line for two gears then has 80 columns
 constexpr std::size_t kUnitWidth = 11;   // the longest unit, "N/(mm µm)", and two blanks
@@ -33,10 +33,10 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
   return text + "\n";
 }
 
-// The values that vary within the tolerances. The listing is empty if there are none.
+// Lists the values that vary within the tolerances. The text is empty if there are none.
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
-  // Each limit has a listing of its own, because the values of two gears already need two columns.
+  // Each limit has a separate listing, because the values of two gears already need two columns.
   auto [lower, upper] = pair_limits(job);
   const auto both = differing(std::move(lower), std::move(upper));
   return "\nValues with the thinnest teeth and the most backlash\n" +
@@ -161,7 +161,7 @@ std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    // The text after the first semicolon of a note states what the file omits. The deviation is
+    // In a note, the text after the first semicolon states what the file omits. The deviation is
     // inserted before this semicolon.
     if (f.deviation_mm)
       note.insert(std::min(note.find(';'), note.size()),

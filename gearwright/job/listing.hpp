@@ -1,4 +1,4 @@
-// Results as listings for users. A terminal shows them if --json is not given.
+// Results as listings for users. The program prints them if --json is not given.
 #pragma once
 
 #include <cstddef>
@@ -16,17 +16,17 @@
 
 namespace gearwright {
 
-/// The title of the spec on its own line, after `before`. The listing is empty if the spec has no
-/// title.
+/// Returns the title of the spec on a separate line, after `before`. The text is empty if the spec
+/// has no title.
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);
-/// The values of the pair and their ranges within the tolerances. The listing is empty without a
+/// Lists the values of the pair and their ranges within the tolerances. The text is empty without a
 /// pair.
 std::string pair_listing(const SolvedJob& job);
-/// Lists records side by side, in these units, under the headings `columns`. If `columns` is
-/// empty, there is only one record, which may have two values for each quantity. `note` returns
-/// the text at the end of a quantity's line.
+/// Lists records side by side, in these units, under the headings `columns`. If `columns` is empty,
+/// there is only one record, which may have two values for each quantity. `note` returns a text for
+/// the end of the line of a quantity.
 std::string quantity_listing(UnitSystem units, const QuantityTable& table,
                              const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
@@ -36,7 +36,7 @@ std::string listing_of(UnitSystem units, const Quantities<S>& quantities,
                        const std::type_identity_t<S>& subject) {
   return quantity_listing(units, quantities.table(), {quantities.of(subject)}, {});
 }
-/// The rows of a gear's record that differ between the lower and the upper end of its
+/// Lists the rows of a gear's record that differ between the lower and the upper end of its
 /// tolerances.
 ///
 /// Domain    the gear has tolerances
@@ -46,31 +46,31 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units);
 std::string file_listing(const std::vector<JobFile>& files, UnitSystem units);
-/// One line per arc with its ends, then a line for every point with name, x and y.
+/// Lists one line per arc with its ends, then a line for every point with name, x and y.
 std::string outline_listing(const Outline& outline, int n, UnitSystem units);
 
 // Tables for terminals with one row for each record, such as a point of contact or a design.
 //
 // A line of a table of designs has at most kTableWidth characters, unless a single column is wider.
-// To achieve this, a column with equal values in all rows is listed once above the table, and
-// columns that do not fit are moved to a further table with the same rows.
+// To keep this width, a column with equal values in all rows is listed once above the table.
+// Columns that do not fit are moved to a second table with the same rows.
 //
-// The width of a text is its number of characters, because a terminal shows each character of the
-// listings in one column.
+// The width of a text is its number of characters. In a terminal, each character of the listings
+// takes one column.
 
-constexpr std::size_t kLineWidth = 80;    ///< width of sentences, which is that of a terminal
+constexpr std::size_t kLineWidth = 80;    ///< width of sentences, the usual width of a terminal
 constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
 
-/// Number of characters of UTF-8 text.
+/// Returns the number of characters of a UTF-8 text.
 std::size_t text_width(std::string_view text);
-/// The text, filled on the right with blanks to `width` characters.
+/// Returns the text, filled on the right with blanks to `width` characters.
 std::string padded(const std::string& text, std::size_t width);
-/// The text, filled on the left with blanks to `width` characters.
+/// Returns the text, filled on the left with blanks to `width` characters.
 std::string padded_left(const std::string& text, std::size_t width);
 
-/// Sentences broken at blanks into lines of at most kLineWidth characters. A longer word has a
-/// line of its own. Blanks at the start are kept, the lines after the first begin with two more
-/// blanks, and every line ends with a line break.
+/// Breaks sentences at blanks into lines of at most kLineWidth characters. A longer word has a line
+/// of its own. Blanks at the start are kept, and the lines after the first begin with two
+/// additional blanks. Every line ends with a line break.
 std::string wrapped(std::string_view text);
 
 /// Lists records below each other, in these units. The line of each record begins with its name and
@@ -79,14 +79,14 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys);
 
-/// Lists a table with its title and its notes. A row whose numbers are all printed as zero is
-/// replaced by its words in a line below the table.
+/// Lists a table with its title and its notes. If all numbers of a row are printed as zero, the row
+/// is omitted, and a line below the table contains its words.
 std::string table_listing(const TextTable& table);
 
-/// Lists designs below each other. The first column names the designs. If there are at least
-/// two designs, some columns are replaced by lines of the list "Common to all designs" above
-/// the table: those with the same text in all rows, and those whose numbers are equal or
-/// opposite to the numbers of an earlier column.
+/// Lists designs below each other. The first column names the designs. If there are at least two
+/// designs, the list "Common to all designs" above the table replaces some columns. These are
+/// columns with the same text in all rows, and columns whose numbers are equal or opposite to those
+/// of an earlier column.
 std::string design_listing(const std::vector<ListingColumn>& columns);
 
 }  // namespace gearwright

@@ -18,7 +18,8 @@ namespace gearwright {
 std::optional<double> torque_of_rating(const JobSpec& spec) {
   if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return std::nullopt;
   const double torque = spec.rating.input.torque;
-  // A torque that follows from power and speed has many digits. Small torques keep four of them.
+  // A torque computed from power and speed has many digits. At least four digits of small torques
+  // are kept.
   double steps = 1e3;  // per N m
   while (torque * steps < 1e3) steps *= 10;
   return std::round(torque * steps) / steps;
@@ -94,7 +95,8 @@ std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadReg
   return out;
 }
 
-// Lists some positions of a torque. The rows are limited to one page. --json has all positions.
+// Lists some positions of a torque. The rows are limited to one page. The option --json lists all
+// positions.
 std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
   const auto& positions = view.torque->positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);
@@ -155,12 +157,12 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// The result at equally spaced positions over one pitch. If the spec lists rotations, the answer
-// has no such positions, so a further result is computed.
+// Returns the result at equally spaced positions over one pitch. If the spec lists rotations, the
+// answer has no such positions, and a second result is computed.
 Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return answer;
-  SolvedJob again = job;  // a copy, because its warnings have already been reported
+  SolvedJob again = job;  // a copy, because the warnings of `job` have already been reported
   if (job.halves[0]) {
     again.spec.load.rotations.clear();
     auto made = answer_load(again, progress);

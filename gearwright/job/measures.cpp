@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// The pair, if the gears can be mounted. Gears can also be measured without a pair.
+// Returns the pair if the gears can be mounted. Gears can be measured without a pair.
 std::optional<Pair> mounted(const SolvedJob& job) {
   if (job.pair || job.gears.size() < 2) return job.pair;
   const auto arranged = arrange(job.completed, Scope::pair);
@@ -30,8 +30,8 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   return measure(arranged, request, warnings);
 }
 
-// The tools of a gear. If no tool is given, balls and pins have the diameters of
-// pin_of_diametral_pitch(), provided that they touch the usable flanks.
+// Returns the tools of a gear. If no tool is given, balls and pins get the diameters of
+// pin_of_diametral_pitch(), if they then touch the usable flanks.
 MeasureInput tools_of(const SolvedJob& job, int which) {
   MeasureInput tools = job.spec.gear(which).measure;
   if (tools.ball_diameter) return tools;
@@ -86,8 +86,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job) {
 
 namespace {
 
-// The measurements of a gear at one combination of its tolerances, with the tools of the nominal
-// gear.
+// Returns the measurements of a gear at one combination of its tolerances, with the tools of the
+// nominal gear.
 ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i,
                         const GearMeasures& nominal) {
   MeasureInput tools = tools_of(job, static_cast<int>(i) + 1);
@@ -100,7 +100,7 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   auto found = measured(job, end, static_cast<int>(i) + 1, tools, end.pair, ignored);
   if (!found) return {};
   GearMeasures measures = std::move(found).take();
-  measures.sizes = nominal.sizes;  // the sizes of balls do not change within tolerances
+  measures.sizes = nominal.sizes;  // balls have the same sizes at all tolerances
   return measure_quantities().of(measures);
 }
 

@@ -1,5 +1,5 @@
 // The verb `measure`, and the description of a gear by another rack. Internal to job/ and the
-// program.
+// programs.
 #pragma once
 
 #include <optional>
@@ -13,40 +13,42 @@
 
 namespace gearwright {
 
-/// The measurements of each gear with the tools of [gearN.measure], or otherwise with the usual
+/// Returns the measurements of each gear with the tools of [gearN.measure], or else with the usual
 /// tools. If a measurement that was not requested is impossible, it is absent, and the job gets a
 /// warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
-/// produces a warning.
+/// causes a warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
-/// The diameter of North American practice for balls and pins, mm: 1.728/P for an external gear and
-/// for a rack, and 1.68/P for an internal gear (ANSI/AGMA 2002-B88, the sizes of Van Keuren). None
-/// unless an inch spec gives the diametral pitch P of this gear or of gear 1.
+/// Returns the diameter of North American practice for balls and pins, mm (ANSI/AGMA 2002-B88, the
+/// sizes of Van Keuren). It is 1.728/P for an external gear and for a rack, and 1.68/P for an
+/// internal gear. P is the diametral pitch of this gear or of gear 1. Returns none unless the spec
+/// is in inch and gives P.
 std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, bool internal,
                                              double normal_module);
 
-/// The measurements as records for the page. Impossible measurements are omitted.
+/// Returns the measurements as records for the page. Impossible measurements are omitted.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
-/// For each gear, the numbers that differ between the lower and the upper end of its tolerances, as
-/// two records or none. Without tolerances the list is empty.
+/// Returns, for each gear, the numbers that differ between the lower and the upper end of its
+/// tolerances. They are two records, or none. Without tolerances, the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// The record of job_record(), with a member `measure` added to each of `gears`. It includes the
-/// ranges of the measurements within tolerances.
+/// Returns the record of job_record(), in which each of `gears` has an additional member `measure`.
+/// The record includes the ranges of the measurements within tolerances.
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
-/// The rack that --as-rack gives as "module,angle". Either of the two numbers may be missing.
+/// The rack that the user gives with --as-rack as "module,angle". One of the two numbers may be
+/// missing.
 struct RackQuestion {
   std::optional<double> normal_module;  ///< mm
   std::optional<Angle> normal_pressure_angle;
 };
 
-/// Reads "3,20", ",17.5" or "3,". Other texts give no rack.
+/// Reads "3,20", ",17.5" or "3,". Returns none for other texts.
 std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
 /// Describes the gear, with its teeth as cut, by the rack of `question`.

@@ -59,7 +59,7 @@ std::string still_loaded(ReliefLength length, int gear) {
       words_of(length), gear);
 }
 
-// Reliefs of all lengths, with the helix modifications of the spec or with proposed ones.
+// Returns reliefs of all lengths, with the helix modifications of the spec or with proposed ones.
 std::vector<ReliefProposal> find_reliefs(const SolvedJob& job, const LoadTask& task,
                                          const PairCompliance& compliance, const LeadProposal* lead,
                                          std::vector<std::string>& remarks) {
@@ -132,8 +132,8 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
   if (lead.any()) {
     for (const ReliefProposal& r : reliefs) list.proposals.push_back(tips_of(r, 0.0));
     add({});
-    list.remarks.clear();  // replaced by remarks on the reliefs with the helix modifications of
-                           // `lead`
+    list.remarks.clear();  // remarks on the reliefs with the helix modifications of `lead` replace
+                           // these remarks
     reliefs = find_reliefs(job, task, compliance, &lead, list.remarks);
   }
   for (const ReliefProposal& r : reliefs) add(tips_of(r, 0.0));
@@ -145,8 +145,8 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
 
 namespace {
 
-// Amounts are whole µm and starts have three decimals of a millimetre. Rounding removes the digits
-// that the conversion adds.
+// Amounts are whole µm, and starts have three decimals of a millimetre. Rounding removes additional
+// digits of the conversion.
 double decimals(double x, double steps) { return std::round(x * steps) / steps; }
 double um(double mm) { return decimals(mm * kUmPerMm, 1.0); }
 double diameter(double mm) { return decimals(mm, kUmPerMm); }

@@ -56,15 +56,15 @@ LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
   return worst;
 }
 
-// The scores for each torque. If a position has no result, each score is no_score().
+// Returns the scores for each torque. If a position has no result, all scores are no_score().
 std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
   auto scores = loaded_scores(contact);
   if (scores.empty()) scores.assign(contact.torques.size(), no_score());
   return scores;
 }
 
-// The effects of the modifications of a task, as `load` computes them. Warnings about the result
-// are added to `warnings`.
+// Computes the effects of the modifications of a task in the same way as the verb `load`. Warnings
+// about the result are added to `warnings`.
 std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
                                   const PairCompliance& compliance,
                                   const std::optional<double>& helix_deviation,
@@ -89,7 +89,7 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   return std::nullopt;
 }
 
-// The load task of a job, without root stress.
+// Returns the load task of a job, without root stress.
 Result<LoadTask> quick_task(SolvedJob& job) {
   auto made = load_task(job);
   if (!made) return made.error();
@@ -108,17 +108,17 @@ std::string arrow(double from, double to, int decimals) {
   return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
 }
 
-// The score whose pressure is compared with other proposals. If the gears have a helix slope
-// deviation, this is the score at the limits of the deviation.
+// Returns the score whose pressure is compared with other proposals. If the gears have a helix
+// slope deviation, this is the score at the limits of the deviation.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
-// Greatest factor by which the pressure may increase if no edge then carries load at the limits of
-// the helix slopes. Because p_H ∝ √F, 10 % more pressure means 21 % more torque.
+// Greatest factor by which the pressure may increase in order to relieve edges at the limits of the
+// helix slopes. Because p_H ∝ √F, 10 % more pressure corresponds to 21 % more torque.
 constexpr double kMostPressure = 1.1;
 
-// The result is 2 if an edge carries load, 1 if an edge carries load only at the limits of the
-// helix slopes, and 0 if no edge carries load. A pressure above kMostPressure · least counts like
-// an edge at the limits, so the result is then at least 1.
+// Returns 2 if an edge carries load, 1 if an edge carries load only at the limits of the helix
+// slopes, and 0 if no edge carries load. If the pressure exceeds kMostPressure · least, the result
+// is at least 1.
 int edge_rank(const Proposal& p, double least) {
   if (p.worst.edge_carries) return 2;
   return pressed(p).edge_carries || p.worst.max_pressure > kMostPressure * least;
@@ -128,14 +128,15 @@ bool rises(const LoadedScore& s, const LoadedScore& given) {
   return std::isfinite(given.peak_to_peak.rad()) && s.peak_to_peak.rad() > given.peak_to_peak.rad();
 }
 
-// True if a proposal has a result and no more transmission error than the spec as given.
+// True if a proposal has a result, and its transmission error does not exceed that of the spec as
+// given.
 bool is_possible(const Proposal& p, const Proposal& given) {
   return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure) &&
          !rises(p.worst, given.worst);
 }
 
-// The least pressure among the possible proposals without a loaded edge. Both the pressure and the
-// edges are those of the nominal teeth, without deviations.
+// Returns the least pressure among the possible proposals without a loaded edge. Both the pressure
+// and the edges refer to the nominal teeth, without deviations.
 double least_pressure(const std::vector<Proposal>& list) {
   double least = kInfinity;
   for (const Proposal& p : list)
@@ -154,9 +155,9 @@ std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& li
   return best;
 }
 
-// A sentence about a possible proposal without a loaded edge, even at the limits of the helix
-// slopes. Of several such proposals, it is the one with the least transmission error. The sentence
-// is empty if there is no such proposal, or if its pressure is not greater than that of `best`.
+// Returns a sentence about a possible proposal in which no edge carries load, even at the limits of
+// the helix slopes. If there are several, it is the one with the least transmission error. The text
+// is empty if there is no such proposal, or if its pressure does not exceed that of `best`.
 std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best) {
   std::optional<std::size_t> free;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -205,7 +206,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
   // Proposals are compared by the transmission error of the nominal teeth. At the limits of the
-  // helix slopes, the transmission error may therefore be greater than for the spec as given.
+  // helix slopes, the transmission error may therefore exceed that of the spec as given.
   if (p.at_limits && given.at_limits && rises(*p.at_limits, *given.at_limits))
     text += fmt::format(
         " At the limits of the helix slopes, its transmission error is greater than that of the "
@@ -231,8 +232,8 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  // A smaller merit is better. A later proposal has more changes of the spec, so at equal rank it
-  // is chosen only if its merit is smaller by more than 1 %.
+  // The proposal with the smaller merit is chosen. A later proposal changes more of the spec. At
+  // equal rank, it is therefore chosen only if its merit is smaller by more than 1 %.
   constexpr double kWorth = 0.99;
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
@@ -287,7 +288,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   if (task.request.deflects()) a.deflection = face_deflection(task, *compliance, a.torque);
-  task.request.progress = nullptr;  // null, because progress is reported per proposal
+  task.request.progress = nullptr;  // null, because the progress counts proposals
   Proposal first;
   if (auto error = find_effects(first, task, *compliance, grades.helix, jobs.front().warnings))
     return *error;
@@ -307,7 +308,8 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   for (Proposal p : wanted.proposals) {
     count_step(progress);
     Json spec = with_proposal(tree, p, given.spec.load.driver == 2);
-    // The order of the keys has no meaning, and nlohmann::json sorts them.
+    // The order of keys has no meaning, so the specs are compared with sorted keys
+    // (nlohmann::json).
     const nlohmann::json sorted = spec;
     const auto same = std::find_if(a.specs.begin(), a.specs.end(),
                                    [&](const Json& s) { return nlohmann::json(s) == sorted; });
@@ -332,7 +334,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
                   : std::optional<Error>(its.error());
       if (error) jobs.pop_back();
     } else {
-      error = own.error();  // teeth that cannot have these modifications
+      error = own.error();  // the teeth cannot have these modifications
     }
     if (error) {
       left_out.push_back(

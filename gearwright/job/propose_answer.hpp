@@ -1,8 +1,8 @@
 // The verb `propose` computes flank modifications for a pair under load, and their effects.
 //
-// The amounts are computed from the greatest torque, the grades of the gears and the deflection of
-// their shafts. Each proposal is a spec, and its effects are the results of `load` for this spec.
-// The compliance of the teeth is computed only once. Internal to job/ and the programs.
+// The amounts follow from the greatest torque, the accuracy grades of the gears and the deflection
+// of their shafts. Each proposal is a spec, and its effects are the results of `load` for this
+// spec. The compliance of the teeth is computed only once. Internal to job/ and the programs.
 //                            theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
 #pragma once
 
@@ -23,15 +23,14 @@ struct ProposeAnswer : ProposeView {
   std::vector<Json> specs;  ///< one for each proposal; the first one is the spec as given
   /// Sentences about each of the specs, as in Answer::notes.
   std::vector<std::vector<std::string>> notes;
-  Verdict verdict;  ///< on the recommended proposal, with its warnings instead of the warnings of
-                    ///< the job
+  Verdict verdict;  ///< on the recommended proposal; its warnings replace those of the job
 };
 
 /// Errors    `load.torques` if neither [load] nor [rating] gives a torque; teeth with point
 ///           contact; double-helical gears; the errors of answer_load
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullptr);
 
-/// The index of the recommended proposal; 0 is the spec as given.
+/// Returns the index of the recommended proposal. Index 0 is the spec as given.
 ///
 /// Formula   [T12.33]
 /// Domain    at least one proposal (contract)
@@ -41,16 +40,17 @@ std::size_t recommended(const std::vector<Proposal>& proposals);
 
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 
-/// The proposals in the report of `run`. There are none if [load] has no torque or lists
-/// rotations, if the gears have no grades, if `propose` does not support the gears, or if the
-/// computation fails.
+/// Returns the proposals in the report of `run`. There are none if [load] has no torque or lists
+/// rotations, if the gears have no accuracy grades, if `propose` does not support the gears, or if
+/// the computation fails.
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
-// The modifications that are proposed for a pair, without their effects. Internal to job/.
+// The modifications that are proposed for a pair, without their effects. Only files of job/ use
+// them.
 
 /// The combined deviations of both gears in mm, normal to the flank. They are empty if neither gear
-/// has a grade. The two gears deviate independently, so each value is the root of the sum of the
-/// squares.
+/// has an accuracy grade. The two gears deviate independently, so each value is the root of the sum
+/// of the squares of both deviations.
 ///
 /// Formula   [T12.28], [T12.32]
 struct GradeDeviations {
@@ -67,20 +67,20 @@ struct ProposalList {
   std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };
 
-/// Proposes reliefs for the load alone and, if there is a pitch deviation, for the load and the
-/// pitch deviation. If `lead` has helix modifications, the list begins with tip reliefs without
-/// them, which show the effect of reliefs alone. All other proposals contain the modifications
-/// of `lead`.
+/// Proposes reliefs for the load alone and, if there is a pitch deviation, for the load together
+/// with the pitch deviation. If `lead` has helix modifications, the first proposals are tip reliefs
+/// without them. These proposals show the effect of reliefs alone. All other proposals contain the
+/// modifications of `lead`.
 ///
 /// Domain    involute gears on parallel axes (contract)
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
                             const PairCompliance& compliance, const LeadProposal& lead,
                             double pitch_deviation);
 
-/// The tree with the modifications of the proposal. The reliefs of the proposal replace all
+/// Returns the tree with the modifications of the proposal. The reliefs of the proposal replace all
 /// profile modifications of both gears. The crowning and the slope of the proposal replace all
-/// helix modifications. Reliefs, crowning and slope each also replace a topography. The slope
-/// applies to the loaded flank of gear 1, which is the left flank if gear 2 drives.
+/// helix modifications. Each of them also replaces a topography. The slope applies to the loaded
+/// flank of gear 1. This is the left flank if gear 2 drives.
 Json with_proposal(const Json& tree, const Proposal& proposal, bool gear2_drives);
 
 }  // namespace gearwright

@@ -12,14 +12,14 @@ namespace gearwright {
 
 namespace {
 
-// The rows whose values are not results. They have the form of the dimensions of the sheet.
+// Adds a row whose value is not a result. Such rows have the form of the dimensions of the sheet.
 void add_rack_length(DataGroup& group, UnitSystem units, const char* words, const char* symbol,
                      double mm) {
   group.rows.push_back({words, symbol, with_minus(length_text(units, mm))});
 }
 
-// The body has a default number of teeth and a default height if none is given. The dimensions of
-// the height and the dimension over a pin depend on this height.
+// If no number of teeth or no height is given, the body has a default. The dimensions of the height
+// and the dimension over a pin depend on the height of the body.
 DataGroup rack_teeth(const SolvedJob& job, const Records& r) {
   const RackGeometry& rack = job.rack->rack;
   DataGroup group{"Rack data, symbols of ISO 21771", {}};

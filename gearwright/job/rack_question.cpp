@@ -1,4 +1,4 @@
-// The option --as-rack of the verb `gear` describes the same teeth by another rack.
+// The option --as-rack of the verb `gear`. It describes the same teeth by another rack.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ namespace gearwright {
 
 namespace {
 
-// Two descriptions of one rack may differ by one part in a million, because users round the input.
+// Descriptions of a rack count as equal if they differ by at most one part in a million, because
+// users round the input.
 constexpr double kSameRack = 1e-6;
 // Permitted normal pressure angles of the rack in degrees, the same as for a gear.
 constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;

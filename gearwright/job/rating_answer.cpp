@@ -58,8 +58,8 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   }
 }
 
-// Adds a warning with the safety factors under the spectrum. The verdict does not contain them,
-// because it applies to one torque with K_A.
+// Adds a warning with the safety factors under the spectrum. The verdict does not contain these
+// safety factors, because the verdict applies to one torque with K_A.
 void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
   const double flank = std::min(answer.spectrum->S_H[0], answer.spectrum->S_H[1]);
   const double root = std::min(answer.spectrum->S_F[0], answer.spectrum->S_F[1]);
@@ -74,7 +74,8 @@ void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
        0});
 }
 
-// K_Hβ from the load along the teeth. Adds notes about the gear bodies that the job does not yet have.
+// Returns K_Hβ from the load along the teeth. Notes about gear bodies are added if the job lacks
+// them.
 Result<FaceLoads> face_loads_of(SolvedJob& job, Progress* progress) {
   std::vector<Warning> notes;
   auto faces =
@@ -83,7 +84,7 @@ Result<FaceLoads> face_loads_of(SolvedJob& job, Progress* progress) {
     const auto is_same = [&](const Warning& w) {
       return w.code == note.code && w.gear == note.gear;
     };
-    // tooth_contact() adds its own notes.
+    // If [rating] has tooth_contact, tooth_contact() adds these notes.
     if (!job.spec.rating.tooth_contact &&
         std::none_of(job.warnings.begin(), job.warnings.end(), is_same))
       job.warnings.push_back(std::move(note));

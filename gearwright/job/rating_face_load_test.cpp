@@ -1,5 +1,5 @@
-// K_Hβ = "computed": the verb `rate` takes K_Hβ from the verb `load`, at the worse limit of the mesh
-// misalignment f_ma.
+// If K_Hβ = "computed", the verb `rate` takes K_Hβ from the verb `load`, at the worse limit of the
+// mesh misalignment f_ma.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -86,8 +86,8 @@ Json error_json(const Error& error) {
 
 namespace {
 
-// True if the values differ by more than rounding errors, which also occur in numbers that do not
-// depend on the tolerance.
+// True if the values differ by more than rounding errors. Numbers that do not depend on the
+// tolerance also have such rounding errors.
 bool differ(double a, double b) {
   constexpr double kRounding = 1e-13;
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));
@@ -119,7 +119,7 @@ auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record
   return it == record.end() ? nullptr : &*it;
 }
 
-// Hides the values that are equal in both records. Returns true if any other values remain.
+// Hides the values that are equal in both records. Returns true if any values remain.
 bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
   bool any = false;
   for (Member& m : lower) {
@@ -143,7 +143,7 @@ bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
 
 void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other);
 
-// Widens the limits of a value until they enclose the other value.
+// Widens the limits of a value so that they enclose `other`.
 void enclose(Value& lower, Value& upper, const Value& other) {
   // Relative tolerance, because `other` may equal a limit except for rounding errors.
   constexpr double kRounding = 1e-9;

@@ -1,5 +1,6 @@
-// Results as JSON: the whole result with every key in the order of the interface, single values of
-// the catalogue, and the range of a record within tolerances. Internal to job/ and its tests.
+// Results as JSON. They are the whole result with every key in the order of the interface, single
+// values of the catalogue, and the range of a record within tolerances. Internal to job/, the
+// programs and tests.
 #pragma once
 
 #include <array>
@@ -18,22 +19,25 @@ namespace gearwright {
 struct LoadAnalysis;
 
 Json warnings_json(const std::vector<Warning>& warnings);
-/// A record that begins with `title`, if the spec has one.
+/// Returns a record that begins with `title`, if the spec has a title.
 Json titled_record(const JobSpec& spec);
-/// A record that begins with `title`, if the spec has one, and contains the result under `key`.
+/// Returns a record that begins with `title`, if the spec has a title, and contains the result
+/// under `key`.
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
-/// A record with the title and, under the key `load`, the result of the verb `load`.
+/// Returns a record with the title and, under the key `load`, the result of the verb `load`.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
-/// The quantities of the pair, or of the pinion with its rack.   Domain: job.mounted() (contract)
+/// Returns the quantities of the pair, or of the pinion with its rack.   Domain: job.mounted()
+/// (contract)
 ValueRecord pair_record(const SolvedJob& job);
-/// A record with `drawing` (if given), `gears` and `pair` (if there is one).
+/// Returns a record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
-/// The record of job_record() with `warnings` and `verdict` added.
+/// Returns the record of job_record() with `warnings` and `verdict`.
 Json job_json(const SolvedJob& job, const Verdict& verdict);
-/// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
+/// Returns `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty
+/// (contract)
 Json outline_json(const Outline& outline, int n);
-/// Adds the list `key` to `object`, which is the text of an object in JSON. Every one of the
-/// `count` rows is made by row(i) and has a line of its own, because such a list may be long.
+/// Adds the list `key` to `object`, which is the text of a JSON object. row(i) makes each of the
+/// `count` rows. Each row has a line of its own, because such a list may be long.
 template <class Row>
 void add_row_lines(std::string& object, const char* key, std::size_t count, const Row& row) {
   object.back() = ',';  // replaces the closing brace
@@ -42,7 +46,7 @@ void add_row_lines(std::string& object, const char* key, std::size_t count, cons
     object += (i == 0 ? "\n    " : ",\n    ") + json_text(row(i));
   object += count == 0 ? "]}" : "\n  ]}";
 }
-/// [{file, what, max_deviation_um, note}]
+/// Returns [{file, what, max_deviation_um, note}].
 Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
@@ -52,39 +56,41 @@ Json verdict_json(const Verdict& verdict);
 /// A record of the gears and the pair of one combination of toleranced numbers.
 using RecordAt = std::function<ValueRecord(const Arranged&)>;
 
-/// The limits of each number of a record within the tolerances. They are the values at the lower
-/// and at the upper end, if no other combination of ends and no nominal value lies outside
-/// them. Otherwise they are the least and the greatest value.
+/// Returns the limits of each number of a record within the tolerances. They are the values at the
+/// lower and at the upper end. If another combination of ends or the nominal value lies outside
+/// them, the limits are the least and the greatest value instead.
 ///
 /// Domain    the job has tolerances (contract)
 std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const RecordAt& record);
-/// limits_of() for the quantities of the gear with index i, and for those of the pair.
+/// Return limits_of() for the quantities of the gear with index i, and for those of the pair.
 std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, std::size_t i);
 std::array<ValueRecord, 2> pair_limits(const SolvedJob& job);
 
-/// {key: [first limit, second limit]} for the numbers that differ. Unlike other JSON results, this
-/// object also contains quantities that are shown only in tables for users, for example the
-/// thickness allowance. The numbers of an inner record are in an inner object. In a list, null
-/// replaces a number that does not differ. Lists of records are omitted.
+/// Returns {key: [first limit, second limit]} for the numbers that differ. In contrast to other
+/// JSON results, this object also contains quantities that only the tables for users show, for
+/// example the thickness allowance. An inner record is an inner object. In a list, null replaces a
+/// number that does not differ. Lists of records are omitted.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
-/// Both limits as records for a listing. The listing shows only the rows that differ.
+/// Returns both limits as records for a listing that shows only the rows that differ.
 std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper);
 
 // Converts a value of the catalogue to JSON, with the keys for JSON, and back.
 
-/// Reading the JSON gives the same doubles. An absent value, NaN and infinity become null.
+/// Converts a value to JSON. Reading the JSON gives the same doubles. An absent value, NaN and
+/// infinity become null.
 Json to_json(const Value& value);
 
-/// A tree of JSON as a value, for example a spec inside a result.
+/// Converts a tree of JSON to a value, for example a spec inside a result.
 Value to_value(const Json& json);
 
 // The JSON Schema (draft 2020-12) of results, made from the catalogue.
 
-/// Every table of a result. Each is followed by the tables of the records that it contains.
+/// Returns every table of a result, each followed by the tables of its records.
 std::vector<const QuantityTable*> result_tables();
 
-/// The schema of the results of all verbs with --json, including the error of a rejected spec.
+/// Returns the schema of the results of all verbs with --json, including the error for a rejected
+/// spec.
 Json result_schema();
 
 }  // namespace gearwright

@@ -18,7 +18,7 @@ std::string ends_text(const QuantityInfo& info, const Json& ends, UnitSystem uni
   return text_of(info, least, "", units) + " … " + text_of(info, greatest, "", units);
 }
 
-// The value with these keys in a tree, or null.
+// Returns the value with these keys in a tree, or null.
 Json value_at(const Json& tree, std::string path) {
   std::replace(path.begin(), path.end(), '.', '/');
   const Json::json_pointer place("/" + path);
@@ -28,7 +28,7 @@ Json value_at(const Json& tree, std::string path) {
 Json ends_of(const QuantityRow& row, const std::vector<Json>& intervals, UnitSystem units) {
   Json texts = Json::array();
   for (std::size_t i = 0; i < row.values.size() && !intervals.empty(); ++i) {
-    const bool shared = row.values.size() > intervals.size();  // one record with both gears
+    const bool shared = row.values.size() > intervals.size();  // a single record with both gears
     Json ends = value_at(intervals[shared ? 0 : i], row.path);
     if (shared) ends = ends.is_array() ? ends[i] : Json();
     texts.push_back(ends_text(*row.info, ends, units));
@@ -37,7 +37,7 @@ Json ends_of(const QuantityRow& row, const std::vector<Json>& intervals, UnitSys
 }
 
 // Adds the rows of a rack. If a row of gear 1 has the same quantity, the value of the rack is put
-// into the second column of this row.
+// into the second column of that row instead.
 void append_rack(Json& rows, const Json& of_rack) {
   for (const Json& row : of_rack) {
     const auto same =

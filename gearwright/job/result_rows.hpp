@@ -23,13 +23,14 @@ struct RowTable {
   std::function<std::string(const QuantityInfo&)> note = nullptr;  ///< text after the values
 };
 
-/// The rows of a table: [{id, group, words, symbol, unit, meaning, texts, ends, note}]. `texts` has
-/// one text for each column. `ends` has the text of each value at both ends of the tolerances, the
-/// smaller value first. It is empty for values that do not depend on the tolerances.
+/// Returns the rows of a table: [{id, group, words, symbol, unit, meaning, texts, ends, note}].
+/// `texts` has one text for each column. `ends` has the text of each value at both ends of the
+/// tolerances, the smaller value first. If a value does not depend on the tolerances, its `ends` is
+/// empty.
 Json rows_json(UnitSystem units, const RowTable& table);
 
-/// The rows of the pair, whose ids begin with "pair", and of the gears, whose ids begin with
-/// "gears". A rack is gear 2.
+/// Returns the rows of the pair, with ids that begin with "pair", and the rows of the gears, with
+/// ids that begin with "gears". A rack is gear 2.
 Json job_rows(const SolvedJob& job, UnitSystem units);
 
 }  // namespace gearwright

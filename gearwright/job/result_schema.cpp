@@ -28,7 +28,7 @@ class Schema {
   Json reference(const QuantityTable& table) {
     const std::string name = definition_name(table);
     if (!definitions_.contains(name)) {
-      definitions_[name] = nullptr;  // prevents endless recursion if a record contains itself
+      definitions_[name] = nullptr;  // prevents endless recursion for a record that contains itself
       definitions_[name] = record(table);
     }
     return {{"$ref", "#/$defs/" + name}};
@@ -60,7 +60,7 @@ class Schema {
     if (!text.empty()) j["description"] = text;
     return j;
   }
-  // The schema of a value, inside as many lists as the quantity has.
+  // Returns the schema of a value, inside the lists of the quantity.
   Json listed(const QuantityInfo& info, std::size_t depth) {
     if (depth == info.list.size()) return single(info, info.list.empty() && info.always);
     Json j{{"type", info.always || depth > 0 ? Json("array") : Json{"array", "null"}},
@@ -163,7 +163,7 @@ Json result_schema() {
                          {"items",
                           {{"anyOf", Json{schema.reference(gear_quantities().table()),
                                           schema.reference(rack_quantities().table())}}}}};
-  // The verb `measure` and --as-rack add these data to a gear.
+  // The verb `measure` and the option --as-rack add these data to a gear.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
   // The additional data of a double-helical gear are members of the gear itself.
@@ -175,8 +175,8 @@ Json result_schema() {
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
   // If a result is computed within tolerances, each of these records also has the key `interval`.
-  // Its value is an object with two numbers, instead of one, for each key that depends on the
-  // tolerances.
+  // Its value is an object. For each key that depends on the tolerances, this object has two
+  // numbers instead of one.
   const Json interval{{"type", "object"},
                       {"description",
                        "numbers that depend on the tolerances; each number has two values, one at "

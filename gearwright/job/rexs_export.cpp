@@ -80,7 +80,7 @@ class Writer {
     return id;
   }
 
-  /// Every input defines the speed of its shaft. The first input also defines the torque.
+  /// Sets the speed of the shaft of an input. For the first input, also sets the torque.
   void input(const std::string& shaft, const std::optional<double>& torque,
              const std::optional<double>& speed) {
     for (RexsComponent& c : model_.components) {
@@ -98,7 +98,8 @@ class Writer {
     model_.relations.push_back({std::move(type), std::move(refs)});
   }
 
-  /// Adds to the note of the file that REXS cannot contain the part `what` of the spec.
+  /// Adds to the note of the file that the file lacks the part `what` of the spec, because REXS
+  /// cannot contain it.
   void leave_out(const std::string& what) {
     if (note_.find(what) == std::string::npos) note_ += ", without " + what;
   }
@@ -124,8 +125,8 @@ class Writer {
     relate("assembly", {{"assembly", unit_}, {"part", id}});
   }
 
-  // Adds the tool of a gear. The default cutter of a ring is left out, because reading the file
-  // gives the same default cutter.
+  // Adds the tool of a gear. The default cutter of a ring is omitted, because a reader of the file
+  // uses the same default cutter.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
     if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();

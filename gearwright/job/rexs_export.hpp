@@ -1,7 +1,7 @@
-// A pair or a drive as a REXS file: gears, flanks, tools, shafts, stages and the load.
+// Writes a pair or a drive as a REXS file, with gears, flanks, tools, shafts, stages and the load.
 //
-// The version is 1.7. Version 2.0 uses the same names with few exceptions. Internal to job/ and the
-// program.
+// The version is 1.7. Version 2.0 has the same names with few exceptions. Internal to job/ and the
+// programs.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace gearwright {
 ///           racks or pinion cutters, and double-helical gears
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
-/// Errors    a drive without geometry or with a rack; for a gear that REXS cannot contain, the
-///           error that make_rexs() returns for a pair
+/// Errors    a drive without geometry or with a rack; the errors of make_rexs() for a pair, if a
+///           gear has properties that REXS cannot contain
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path);
 
 }  // namespace gearwright

@@ -9,7 +9,7 @@
 namespace gearwright {
 
 std::size_t text_width(std::string_view text) {
-  // The bytes that continue a character have the form 10xxxxxx.
+  // In UTF-8, bytes that continue a character have the form 10xxxxxx.
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
@@ -46,8 +46,8 @@ std::string wrapped(std::string_view text) {
 namespace {
 
 constexpr std::size_t kHeadWidth = 12;       // width of headings
-constexpr std::size_t kDesignHeadWidth = 8;  // width of headings of designs, which have many
-                                             // columns
+constexpr std::size_t kDesignHeadWidth = 8;  // width of headings in tables of designs, which have
+                                             // many columns
 
 // Breaks words into lines of at most `most` characters. A longer word has a line of its own.
 std::vector<std::string> broken(const std::string& words, std::size_t most) {
@@ -62,8 +62,8 @@ std::vector<std::string> broken(const std::string& words, std::size_t most) {
   return lines;
 }
 
-// The lines of a column: its heading, broken at `head_width` and filled up to `heads` lines,
-// its unit, and its cells.
+// Returns the lines of a column: its heading, broken at `head_width` and filled up to `heads`
+// lines, its unit, and its cells.
 std::vector<std::string> lines_of(const ListingColumn& column, std::size_t head_width,
                                   std::size_t heads) {
   std::vector<std::string> lines = broken(column.head, head_width);
@@ -99,10 +99,10 @@ bool all_equal(const ListingColumn& column) {
                      [&](const std::string& cell) { return cell == column.cells.front(); });
 }
 
-// True if every number of `a` is `factor` times the number of `b`, and the columns have the same
-// unit.
+// True if every number of `a` is `factor` times the number of `b`, and if both columns have the
+// same unit.
 bool proportional(const ListingColumn& a, const ListingColumn& b, double factor) {
-  // If one quantity is computed by two formulas, the results differ by rounding errors only.
+  // If two formulas compute the same quantity, the results differ only by rounding errors.
   constexpr double kRounding = 1e-9;
   const auto same = [&](const std::optional<double>& x, const std::optional<double>& y) {
     return x && y && std::abs(*x - factor * *y) <= kRounding * std::abs(*x);

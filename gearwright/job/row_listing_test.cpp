@@ -96,8 +96,8 @@ std::vector<ListingColumn> design_columns(const std::vector<Shaft>& shafts) {
   return columns;
 }
 
-// The end of gear 1 is 3 mm in both designs. Other length and length to the left have the values of
-// the length. The angle has the same numbers in another unit, so it is not compared.
+// The end of gear 1 is 3 mm in both designs. "other length" and "length to the left" have the
+// values of the length. The angle has the same numbers in another unit, so it is not compared.
 TEST(DesignListing, lists_common_values_above_the_table) {
   EXPECT_EQ(design_listing(design_columns({{10, {3, 1}, 5.0}, {20, {3, 2}, 5.0}})),
             "Common to all designs\n"

@@ -1,6 +1,5 @@
-// The parts of a run that a spec may contain or not: corrections, scatter and strength. A part is
-// empty if the spec has no table for it, or if it cannot be computed for these gears.
-// Internal to job/.
+// The optional parts of a run: corrections, scatter and strength. A part is empty if the spec has
+// no table for it, or if it cannot be computed for these gears. Internal to job/.
 #pragma once
 
 #include <optional>
@@ -11,20 +10,21 @@
 
 namespace gearwright {
 
-/// The corrections of [compensate]. If they cannot be computed, for example because nothing touches,
-/// the result is empty, and the job has a warning.
+/// Returns the corrections of [compensate]. If they cannot be computed, for example because nothing
+/// touches, the result is empty, and the job gets a warning.
 ///
 /// Errors    those of answer_compensate()
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress);
 
-/// The scatter of [scatter]. If there is no contact, the result is empty. No warning is added then,
-/// because the contact analysis already warns.
+/// Returns the scatter of [scatter]. If there is no contact, the result is empty. There is no
+/// further warning, because the contact analysis already adds one.
 ///
 /// Errors    those of answer_scatter()
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress);
 
-/// The strength by [rating]. If it needs the load along the teeth and this load cannot be computed,
-/// for example because nothing touches, the result is empty, and the job has a warning.
+/// Returns the strength according to [rating]. The rating may need the load along the teeth. If
+/// this load cannot be computed, for example because nothing touches, the result is empty, and the
+/// job gets a warning.
 ///
 /// Errors    those of answer_rating()
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job, Progress* progress);

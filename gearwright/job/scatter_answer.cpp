@@ -20,7 +20,7 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of samples from which patterns are computed, summed over all replicates.
+// Greatest number of samples for patterns, summed over all replicates.
 constexpr int kPatternSamples = 256;
 // Number of positions per pitch for loaded teeth, if [load] does not give it.
 constexpr int kLoadedPositions = 16;
@@ -33,7 +33,7 @@ bool is_given(const std::vector<ScatterTolerance>& all, const std::string& name)
                      [&](const ScatterTolerance& t) { return t.name == name; });
 }
 
-// Adds those tolerances of an accuracy grade that the spec does not give individually.
+// Adds the tolerances of an accuracy grade, except those that the spec gives individually.
 class Grades {
  public:
   Grades(const SolvedJob& job, std::vector<ScatterTolerance>& all) : job_(job), all_(all) {}
@@ -70,7 +70,7 @@ class Grades {
   }
 
  private:
-  // Returns an error if a key is given that requires a grade. This function is called only for
+  // Returns an error if the spec gives a key that requires a grade. The function is called only for
   // gears without a grade.
   std::optional<Error> needs_grade(int which) const {
     const ScatterGear& gear = job_.spec.scatter.gears[static_cast<std::size_t>(which - 1)];
@@ -107,8 +107,8 @@ class Grades {
     };
     add_waves("profile_waves", {which, false, gear.profile_waves.value_or(kWaves), f.profile_form});
     add_waves("helix_waves", {which, true, gear.helix_waves.value_or(kWaves), f.helix_form});
-    // Pitch deviations affect only the error over the long period, which is computed only for pairs
-    // that are not double-helical.
+    // Pitch deviations affect only the error over the long period. This error is computed only for
+    // pairs that are not double-helical.
     if (!job_.halves[0])
       all_.push_back({table + "pitch", 1.0, share,
                       VaryingPitch{which, f.total_pitch, f.single_pitch}, source_});
@@ -202,8 +202,8 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   return all;
 }
 
-// The groups of the spec and a group for each input without a group, in the order of their first
-// inputs.
+// Returns the groups of the spec, and a group for each input without a group, in the order of their
+// first inputs.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {
   std::vector<std::string> names;
@@ -234,8 +234,8 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
   return groups;
 }
 
-// The contact point of the nominal circular-arc racks. contact_along_profile is measured from this
-// point.
+// Returns the contact point of the nominal circular-arc racks. contact_along_profile is measured
+// from this point.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
   const ArcPair* arcs = pair.arcs();
@@ -257,17 +257,17 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
-// Returns the number of samples of each replicate for patterns and loaded teeth: the greatest
-// power of two at which no replicate has more than task.samples, and all replicates together
-// have at most `most` samples. The result is at least 1.
+// Returns the number of samples of each replicate for patterns and loaded teeth. It is the greatest
+// power of two that is at most task.samples and gives at most `most` samples in all replicates
+// together. The result is at least 1.
 int few_samples(const ScatterTask& task, int most) {
   int samples = 1;
   while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;
   return samples;
 }
 
-// The family of loaded teeth for the first samples of each replicate. All samples share the
-// compliance.
+// Returns the family of loaded teeth for the first samples of each replicate. All samples have the
+// same compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   if (auto error = other_driver(job.spec)) return *error;
   auto made = load_tasks(job);
@@ -281,7 +281,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   }
   auto compliance = sides[0].compliance();
   if (!compliance) return compliance.error();
-  // A sample that loses contact may have no results, but the nominal pair must have results.
+  // If a sample loses contact, it may have no results. The nominal pair must have results.
   for (LoadTask& side : sides) {
     const bool second = &side != &sides[0];
     std::vector<Warning> found;
@@ -296,8 +296,8 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   return family;
 }
 
-// The error for the first given key that applies to single-helical pairs only. Such a key requests
-// patterns or the long period, which belong to one pair of flanks.
+// Returns the error for the first given key that applies only to single-helical pairs. Such a key
+// requests patterns or the long period, which belong to one pair of flanks.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
        {std::pair("pattern", input.pattern), std::pair("gear1.pitch", input.gears[0].pitch),
@@ -425,7 +425,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
     // The warning already counts the samples of the scatter. `before` and `after` count the samples
-    // of the comparison, which the text therefore calls "other samples".
+    // of the comparison. The text therefore calls them "other samples".
     const Probability &before = found->before.edge, &after = found->after.edge;
     for (Warning& w : job.warnings)
       if (w.code == WarningCode::samples_touch_edges && found->any())

@@ -1,5 +1,5 @@
-// The verb `scatter`: the effect of tolerances on the pair of a spec. Internal to job/ and the
-// program.
+// The verb `scatter` computes the effect of tolerances on the pair of a spec. Internal to job/ and
+// the programs.
 #pragma once
 
 #include <string>
@@ -23,16 +23,16 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
-/// The tooth thickness of each involute gear and the centre distance as toleranced numbers.
-/// Each varies within the tolerance of the drawing, around the value with which the pair is
-/// computed. The centre distance is omitted if [scatter] contains bearings.
+/// Returns the tooth thickness of each involute gear and the centre distance as toleranced numbers.
+/// Each number varies within the tolerance of the drawing, around the value with which the pair is
+/// computed. If [scatter] contains bearings, the centre distance is omitted.
 std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
 
-/// The correlations of [scatter], for tolerances in these groups.
+/// Returns the correlations of [scatter], for tolerances in these groups.
 ///
 /// Errors    `scatter.correlations[N]…` for an input that does not exist, for a pair of inputs that
-///           is given twice, for correlated inputs in different groups if indices are requested;
-///           the errors of check_correlations()
+///           is given twice, and, if indices are requested, for correlated inputs in different
+///           groups; the errors of check_correlations()
 Result<std::vector<ToleranceCorrelation>> correlations_of(
     const JobSpec& spec, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
@@ -46,35 +46,36 @@ struct VariedInputs {
 /// Errors    `scatter.…` or a grade that is impossible; `no_flank` for teeth without a usable flank
 Result<VariedInputs> varied_inputs(const SolvedJob& job);
 
-/// The setup and the task of [scatter], before the load, the scatter and the corrections are
-/// computed.
+/// Returns the setup and the task of [scatter]. The load, the scatter and the corrections are not
+/// yet computed.
 ///
 /// Errors    the errors of answer_scatter()
 Result<ScatterAnswer> prepared_scatter(const SolvedJob& job);
 
-/// The error of a scatter under load if [load] and [contact] have different drivers. The samples
-/// under load must use the same flanks as the samples without load.
+/// Returns an error for a scatter under load if [load] and [contact] have different drivers. The
+/// samples under load must use the same flanks as the samples without load.
 std::optional<Error> other_driver(const JobSpec& spec);
 
 /// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a
 ///           group with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
-/// The request for a density of patterns from the first samples of each replicate. `most` is
-/// the greatest number of samples of all replicates together; 0 selects the default.
+/// Returns the request for a density of patterns from the first samples of each replicate. `most`
+/// is the greatest number of samples of all replicates together. 0 selects the default.
 DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
-/// Computes the density of density_request(), for figures whose answer does not contain it.
+/// Computes the density of density_request(). It serves figures whose answer does not contain the
+/// density.
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 
 /// Replaces names by keys of [scatter] in an error that a function of scatter/ returns.
 Error of_scatter(const ScatterTask& task, Error error);
 
-/// The view refers to `answer`, which must therefore outlive it.
+/// Returns a view of `answer`. `answer` must outlive the view.
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
-/// A row for each sample, with its inputs and then its results.
+/// Makes a row for each sample, with its inputs and then its results.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);
 
 }  // namespace gearwright

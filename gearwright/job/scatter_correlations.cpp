@@ -10,8 +10,9 @@ namespace gearwright {
 
 namespace {
 
-// The error if a block of correlated inputs is not in one group. The indices require that one group
-// changes while the others do not, which is impossible if a block is divided among groups.
+// Returns an error if correlated inputs are divided among several groups. For the indices, one
+// group must change while the other groups do not. This is impossible if correlated inputs are in
+// different groups.
 std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances,
                                  const std::vector<ToleranceGroup>& groups,
                                  const std::vector<ToleranceCorrelation>& correlations) {
@@ -33,9 +34,9 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
   return std::nullopt;
 }
 
-// The indices of the coordinates of a sample to which the name in `between` refers. The name of a
-// bore refers to both of its coordinates. Every other name refers to one coordinate, the first one
-// of an input with several coordinates.
+// Returns the indices of the coordinates of a sample to which the name in `between` refers. The
+// name of a bore refers to both of its coordinates. Every other name refers to one coordinate. If
+// an input has several coordinates, this is the first one.
 std::vector<std::size_t> coordinates_named(const std::string& name,
                                            const std::vector<ScatterTolerance>& tolerances) {
   const std::vector<std::string> names = coordinate_names(tolerances);
@@ -52,7 +53,7 @@ std::vector<std::size_t> coordinates_named(const std::string& name,
   return {};
 }
 
-// The names of the coordinates that can be correlated.
+// Returns the names of the coordinates that can be correlated.
 std::vector<std::string> names_with_score(const std::vector<ScatterTolerance>& tolerances) {
   const std::vector<std::string> names = coordinate_names(tolerances);
   std::vector<std::string> found;
@@ -115,8 +116,8 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
     const std::vector<ToleranceGroup>& groups) {
   auto found = correlations_in_mm(spec.scatter, tolerances, groups);
   if (found) return found;
-  // The names of the coordinates of a bore are not keys of the catalogue, so no other function
-  // converts them to inch.
+  // The names of the coordinates of a bore are not keys of the catalogue. No other function
+  // converts them to inch, so they are converted here.
   Error error = found.error();
   for (const std::string& name : coordinate_names(tolerances))
     for (std::string* text : {&error.value, &error.rule})

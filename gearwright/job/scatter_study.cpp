@@ -28,10 +28,10 @@ Error refused_list(const fs::path& path, std::string rule) {
   return {"--designs", native_text(path), std::move(rule), FailureKind::option};
 }
 
-// Results of [scatter] that are computed for a single pair and are not part of the rows.
+// Results of [scatter] that are computed only for a single pair and are not in the rows.
 constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust", "pattern"};
 
-// The spec of a design as `search --take` prints it, without the keys in kOfOnePair.
+// Returns the spec of a design as `search --take` prints it, without the keys in kOfOnePair.
 Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   Json tree = pair_spec(spec, search, row);
   if (tree.contains("scatter"))
@@ -69,8 +69,8 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
   return StudiedDesign{rows[0], std::move(pair).take()};
 }
 
-// An error of [scatter] or [load] that concerns every design. If there is one, the study is not
-// started.
+// Returns an error of [scatter] or [load] that concerns every design. If there is such an error,
+// the study is not started.
 std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
                                    const std::vector<ListedDesign>& list,
                                    const StudyOptions& options) {
@@ -78,7 +78,7 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
     const auto design = studied_design(spec, search, listed, options);
     if (!design) return design.error();
     auto solved = solve(design->pair, Scope::pair);
-    if (!solved) continue;  // the failure concerns this design only
+    if (!solved) continue;  // the failure concerns only this design
     const auto varied = varied_inputs(*solved);
     if (!varied && varied.error().kind == FailureKind::no_flank) continue;
     const auto error = !varied                       ? std::optional(varied.error())
@@ -89,7 +89,8 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
   return std::nullopt;
 }
 
-// The designs of the result of a search: its folder, its search.json or the output of --json.
+// Returns the designs of the result of a search. `given` is the folder of the search, its
+// search.json, or the output of --json.
 //
 // Throws    IoError
 // Errors    "--designs": a file that is not the result of a search, a search that is not finished

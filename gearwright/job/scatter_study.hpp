@@ -3,10 +3,9 @@
 //
 //   N   rank of a design in the search, as in `search --take N`
 //
-// The row of a design contains exactly the numbers of `scatter` for the spec that
-// `search --take N` prints. Rows do not depend on each other. A study can therefore be divided
-// into chunks of designs, and it uses a folder, shards and ranks in the same way as a search
-// with its chunks of trials. Internal to job/ and the programs.
+// The row of a design contains exactly the numbers of `scatter` for the spec that `search --take N`
+// prints. Rows do not depend on each other, so a study can be divided into chunks of designs. It
+// uses a folder, shards and ranks as a search does. Internal to job/ and the programs.
 #pragma once
 
 #include <array>
@@ -23,17 +22,17 @@ namespace gearwright {
 struct ListedDesign {
   std::int64_t number;  ///< N
   std::int64_t trial;
-  /// The numbers of teeth in the file from which the list was read. They show whether the file
-  /// belongs to another search.
+  /// The numbers of teeth in the file of the list. A difference shows that the file belongs to
+  /// another search.
   std::optional<std::array<int, 2>> teeth{};
 };
 
 struct StudyOptions : CampaignOptions {
   std::optional<std::string> designs;  ///< file or folder of a search
-  std::vector<ListedDesign> list;      ///< the designs, if they are known; if neither `designs`
-                                       ///< nor `list` is given, the search is run
-  std::filesystem::path folder;        ///< folder of the spec, to which file names in the spec are
-                                       ///< relative
+  std::vector<ListedDesign> list;      ///< the designs, if they are known; without `designs` and
+                                       ///< `list`, the search is run
+  std::filesystem::path folder;        ///< folder of the spec; file names in the spec are relative
+                                       ///< to it
   std::optional<std::size_t> top;      ///< greatest number of designs; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
   Progress* progress = nullptr;        ///< counts the samples of one design
@@ -58,9 +57,8 @@ struct StudyRun {
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
 
-/// Computes those rows of this process that are missing in the folder options.out. If no row of
-/// the study is missing afterwards, all rows are appended to `rows`, in the order of the list
-/// and without a ranking.
+/// Computes the rows of this process that are missing in the folder options.out. If the study is
+/// then complete, all rows are appended to `rows`, in the order of the list and without a ranking.
 ///
 /// Throws    IoError, WorkStopped
 /// Errors    "--out" if the folder belongs to another study; the errors of study_row()
@@ -68,7 +66,7 @@ Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
                                     const std::vector<ListedDesign>& list,
                                     const StudyOptions& options, std::vector<Json>& rows);
 
-/// Computes the rows of this process, and ranks all rows if none is missing.
+/// Computes the rows of this process. If no row of the study is missing then, ranks all rows.
 ///
 /// Domain    a spec with [search] (contract)
 /// Throws    IoError, WorkStopped
@@ -80,25 +78,26 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 /// Throws    IoError
 std::string text_of_file(const std::filesystem::path& path);
 
-/// Index of the percentile by which the designs are ranked, which is the greatest requested one.
+/// Returns the index of the percentile by which the designs are ranked. This is the greatest
+/// requested percentile.
 std::size_t ranking_percentile(const JobSpec& spec);
 
-/// True if the design of the row loses contact in more than (100 − p) % of the samples, where p is
-/// the percentile of the ranking.
+/// True if the design of the row loses contact in more than (100 − p) % of the samples. p is the
+/// percentile of the ranking.
 bool loses_contact(const JobSpec& spec, const Json& row);
 
-/// Ranks the rows. Rows that lose contact in more than (100 − p) % of the samples come after
-/// all other rows. Within each of these two groups, the rows are sorted by the percentile p,
-/// then by N. Rows without a scatter are moved to `refused`.
+/// Ranks the rows. Rows that lose contact in more than (100 − p) % of the samples come after all
+/// other rows. Within both groups, the rows are sorted by the percentile p, and then by N. Rows
+/// without a scatter are moved to `refused`.
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 
-/// The result, which is `scatter_designs` in JSON.
+/// Returns the result, `scatter_designs`, as JSON.
 Json study_json(const JobSpec& spec, const StudyRun& run);
-/// The whole result as JSON text, one design per line.
+/// Returns the whole result as JSON text, with one design per line.
 std::string study_json_text(const JobSpec& spec, const StudyRun& run);
 Json unfinished_study(const StudyRun& run);
 std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t most);
-/// A row for each design. Designs without a scatter are at the end.
+/// Makes a row for each design. Designs without a scatter are at the end.
 std::string study_csv(const JobSpec& spec, const StudyRun& run);
 std::string study_page(const JobSpec& spec, const StudyRun& run);
 

@@ -21,7 +21,8 @@ Value coordinates_at(const ScatterTolerance& t, const std::vector<double>& x, st
   return Value(std::move(list));
 }
 
-// The value of every input. For a bore, a pitch or a wave, it is the list of its coordinates.
+// Returns the value of every input. The value of a bore, a pitch or a wave is the list of its
+// coordinates.
 ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   ValueMap map;
   std::size_t at = 0;
@@ -32,8 +33,8 @@ ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   return map;
 }
 
-// A sample in the form of a spec: the errors of the spec changed by this sample, followed by the
-// inputs that cannot be given as errors.
+// Returns a sample in the form of a spec. It contains the errors of the spec, changed by this
+// sample, followed by the inputs that cannot be given as errors.
 ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
   std::array<double, kErrorCount> errors = job.spec.errors.value;
   ValueMap others;
@@ -63,7 +64,7 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
-// The distribution of one quantity as a view. `x_of` returns the coordinates of a sample.
+// Returns the distribution of one quantity as a view. `x_of` returns the coordinates of a sample.
 template <class Of>
 SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const SpreadEntry& entry,
                        const Spread& spread, const Of& x_of) {

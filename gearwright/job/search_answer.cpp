@@ -24,8 +24,8 @@ constexpr std::string_view kRatingUnused =
     "[rating] has no effect on this search. Give safety_flank_min and safety_root_min in [search] "
     "to rate its designs.";
 
-// If there are more designs than this, the boundaries of their regions are omitted, because each
-// curve of a boundary has 25 points.
+// If there are more designs than this, the boundaries of their regions are omitted. Each curve of a
+// boundary has 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
 Value edges_of(const Search& search, const DesignRow& row) {
@@ -42,7 +42,8 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// A value from the table of a gear. If gear 2 does not give the value, it is the value of gear 1.
+// Returns a value from the table of a gear. If gear 2 does not give the value, that of gear 1 is
+// used.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
@@ -55,7 +56,8 @@ Json rack_of(const Json& tree, int rack, int which) {
   return of_gear(tree, which, "rack");
 }
 
-// Example: "The safest rejected design (module 2, 20:60) has S_H = 0.930 and S_F = 1.210".
+// Returns, for example, "The safest rejected design (module 2, 20:60) has S_H = 0.930 and S_F =
+// 1.210".
 std::string safest_line(const DesignRow& row) {
   return fmt::format(
       "The safest rejected design (module {2:g}, {3}:{4}) has S_H = {0:.3f} and S_F = {1:.3f}",
@@ -64,7 +66,8 @@ std::string safest_line(const DesignRow& row) {
       row.trial.z2);
 }
 
-// Example: "K_Hβ = 1.4 is a default. …"; empty if the spec determines the factor.
+// Returns, for example, "K_Hβ = 1.4 is a default. …". The text is empty if the spec determines
+// K_Hβ.
 std::string face_load_line(const SearchRun& run) {
   if (!run.default_face_load) return {};
   return fmt::format(
@@ -86,7 +89,7 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
       fmt::join(keys, ", "));
 }
 
-// Sentences beside the counts, for the terminal and the page.
+// Returns sentences about the counts, for the terminal and the page.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
                                     UnitSystem units) {
   std::vector<std::string> lines;
@@ -110,7 +113,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// The face width in words, for example "10 mm to 120 mm (the least sufficient width)".
+// Returns the face width in words, for example "10 mm to 120 mm (the least sufficient width)".
 std::string face_words(const SearchProblem& p) {
   std::string words;
   const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
@@ -128,11 +131,11 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
-// Tables of the spec that apply to a pair. A search does not use them, but copies them to the
-// specs of its designs.
+// Tables of the spec that apply to a pair. A search does not use these tables, but copies them to
+// the specs of its designs.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
-// A pitch that was computed from a module, without the rounding error: 25.4/(25.4/3) becomes 3.
+// Removes the rounding error of a pitch that was computed from a module: 25.4/(25.4/3) becomes 3.
 double without_rounding(double pitch) {
   return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
 }
@@ -144,8 +147,8 @@ Json rating_of(const Json& tree, const SearchLimits& limits) {
   return rating;
 }
 
-// The conditions that all designs satisfy:
-// "every design runs without interference, form clearance ≥ 0.02 modules, …"
+// Returns the conditions that all designs satisfy, for example "every design runs without
+// interference, form clearance ≥ 0.02 modules, …"
 std::string margin_line(const SearchLimits& limits) {
   std::string text =
       limits.avoid_interference
@@ -294,7 +297,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
   for (const std::string& line : reasons_of(p, run, units))
-    text += line.starts_with(' ') ? line + "\n" : wrapped(line);  // a change remains in one line
+    text += line.starts_with(' ') ? line + "\n" : wrapped(line);  // a change stays on one line
   if (a.counts.feasible == 0) return text;
   ListingColumn ranks;
   ListingColumn places{"profile shifts", "profile shifts", "", {}, true};

@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The counts of a chunk. `rejected` contains the number of trials that each limit rejected,
+// Returns the counts of a chunk. `rejected` contains the number of trials that each limit rejected,
 // followed by the numbers of tested and of feasible grid points. count_names() has the same order.
 ChunkCounts as_chunk(const SearchCounts& c) {
   ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
@@ -39,8 +39,8 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
   const auto was = parquet_note(folder / kDesignsFile, kSpecNote);
   if (!was) return std::nullopt;
   const auto old = read_spec(*was, SpecFormat::json);
-  constexpr std::int64_t kAnyChunk = 0;  // the same for both specs, because no result depends on
-                                         // the chunk size
+  constexpr std::int64_t kAnyChunk = 0;  // the same for both specs; results do not depend on the
+                                         // chunk size
   std::string changed = "the spec of that search belongs to another version";
   if (old) {
     const std::string before = search_fingerprint(*old, kAnyChunk);

@@ -32,7 +32,7 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
 }
 
 TableColumns<DesignView> design_columns(const SearchProblem& problem) {
-  // The columns that exist only for some problems.
+  // Columns that exist only for some problems.
   const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H",
                                             "S_F",         "mass_kg",       "efficiency",
                                             "balance",     "relative_cost", "noise_um"};
@@ -49,11 +49,11 @@ TableColumns<ShiftPoint> point_columns() { return TableColumns<ShiftPoint>(point
 
 namespace {
 
-// Default number of designs in best.csv, which users read. The option --top replaces it.
+// Default number of designs in best.csv. The option --top replaces it.
 constexpr std::size_t kCsvDesigns = 1000;
 
-// Writes both tables in one pass over the designs. The second table exists only if there is a grid
-// of profile shifts.
+// Writes both tables in one pass over the designs. The second table exists only if the spec
+// requests a grid of profile shifts.
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
                   const JobSpec& spec, const Search& search, const FindSource& source) {
   std::string limits;

@@ -1,5 +1,6 @@
 // The folder of a search. While the search runs, the folder contains the chunks. At the end, it
-// contains the files below, each written completely or not at all. Internal to job/.
+// contains the files below, each written completely or not at all. Internal to job/ and the
+// programs.
 //
 //   search.parquet   every feasible design, in the order of the trials
 //   points.parquet   every feasible point of the grid of shifts, by trial, if shift_step is set
@@ -23,7 +24,7 @@ namespace gearwright {
 
 // Converts feasible designs to bytes and back, for the chunks of a large search on disk. Every
 // number of a row has 64 bits with the low byte first. The rows follow each other and are
-// compressed by zstd. Reading gives the same rows, bit for bit.
+// compressed with zstd. Reading gives the same rows, bit for bit.
 
 struct ChunkFinds {
   std::vector<DesignRow> designs;
@@ -40,7 +41,7 @@ ChunkFinds unpack(std::string_view bytes, const std::string& where);
 inline constexpr const char* kDesignsFile = "search.parquet";
 inline constexpr const char* kSpecNote = "spec";  ///< key of the spec, as JSON, in the footer
 
-/// Reads the next chunk of designs, in the order of the trials. Returns false if there are no more.
+/// Reads the next chunk of designs, in the order of the trials. Returns false after the last chunk.
 using FindSource = std::function<bool(ChunkFinds& finds)>;
 
 /// Writes all files and returns their names. The CSV has `top` designs, by default a thousand.
@@ -52,12 +53,12 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
                                                       std::optional<std::size_t> top,
                                                       const FindSource& source);
 
-/// The error if the folder contains the finished search of another spec, so that this search must
-/// not write files into it. Nothing if the folder contains no such search.
+/// Returns an error if the folder contains the finished search of another spec, because this search
+/// must not write files into that folder. Returns none otherwise.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs the missing chunks of the search in options.out. If no chunk is missing afterwards,
-/// makes the files.
+/// Runs the missing chunks of the search in options.out. If no chunk is missing then, makes the
+/// files.
 ///
 /// Throws    IoError
 /// Errors    an existing campaign, or a finished search of another spec; --resume without a

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::int64_t kMinChunk = 1 << 18;
 constexpr std::int64_t kShare =
-    1 << 16;  // number of trials that a thread takes at a time, if no file is made
+    1 << 16;  // number of trials that a thread takes at a time, if no file is written
 // Greatest default number of trials in a chunk. A thread keeps the designs of its chunk in memory.
 constexpr std::int64_t kMaxChunk = 1 << 22;
 
@@ -35,7 +35,7 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
   lines += path + " = " + json_text(node) + "\n";
 }
 
-// Keeps all designs in memory. This is used for small searches and for searches without files.
+// Runs the search with all designs in memory. It serves small searches and searches without files.
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
   SearchRun run = begun(spec, search);
@@ -72,14 +72,14 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   return run;
 }
 
-// The number of trials in a chunk, for a search with this number of trials.
+// Returns the number of trials in a chunk, for a search with this number of trials.
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
   // The grid points of a chunk must fit into memory. The area of a region is about one square
-  // module, so the size of a chunk is limited to a number of trials with about this number of
-  // grid points.
+  // module, so the number of grid points follows approximately from the number of trials. The chunk
+  // size is limited accordingly.
   constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);

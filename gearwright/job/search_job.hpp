@@ -1,10 +1,10 @@
-// The verb `search`: runs a search in memory, or as a campaign whose finished chunks stay on
-// disk.
+// The verb `search`. It runs a search in memory, or as a campaign, which keeps its finished chunks
+// on disk.
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
-// Chunks are independent, and the files are made from them in order. The result therefore does
-// not depend on the number of threads, shards or ranks.
+// Chunks are independent, and the files are made from them in order. The result is therefore the
+// same for any number of threads, shards or ranks.
 #pragma once
 
 #include <atomic>
@@ -24,9 +24,9 @@ namespace gearwright {
 struct SearchProgress {
   enum class Stage {
     trials,   ///< the search itself
-    changes,  ///< the search for changes that would help, if nothing is feasible; `done` counts the
-              ///< evaluated trials
-    regions   ///< regions of the listed designs; `done` of `of` are complete
+    changes,  ///< the search for changes that would give a design, if nothing is feasible; `done`
+              ///< counts the evaluated trials
+    regions   ///< the regions of the listed designs; `done` of `of` are complete
   };
   Stage stage = Stage::trials;
   std::int64_t done = 0, of = 0;
@@ -45,34 +45,38 @@ struct SearchOptions : CampaignOptions {
   int threads = 0;                     ///< 0 uses all threads of the machine
   /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
-  /// If set to true, the search ends at once and discards unfinished chunks.
+  /// If the caller sets this to true, the search ends at once and discards unfinished chunks.
   const std::atomic<bool>* stop = nullptr;
 };
 
 /// Default number of designs in a result. Only huge searches have more designs.
 inline constexpr std::size_t kDefaultDesigns = 100'000;
-/// A search with more trials than this requires yes_large.
+/// If a search has more trials than this, it requires yes_large.
 inline constexpr double kLargeSearch = 2e10;
-/// A grid of shifts with more points than this requires yes_large.
+/// If a grid of shifts has more points than this, it requires yes_large.
 inline constexpr double kManyPoints = 1e8;
 
-/// The members of SearchView are the result of a finished search.
+/// A search run. The members of SearchView are the result of a finished search.
 struct SearchRun : SearchView {
   bool finished = false;  ///< true if all chunks are done and this process made the files
   bool stopped = false;   ///< true if SearchOptions::stop ended the run
   std::int64_t chunks_done = 0, chunks = 0;
-  std::string changes_left_out;            ///< reason why not all changes were searched
+  std::string changes_left_out;            ///< reason why only some changes were searched; may be
+                                           ///< empty
   std::vector<std::string> changes_tried;  ///< members that were changed in the search for changes
   std::vector<std::string> notes;          ///< repairs that were made in the folder
-  bool pair_not_read = false;              ///< the spec has a [pair], which a search does not use
-  bool rating_not_read = false;  ///< the spec has a [rating], which this search does not use
+  bool pair_not_read = false;              ///< true if the spec has a [pair], which a search does
+                                           ///< not use
+  bool rating_not_read = false;  ///< true if the spec has a [rating], which this search does not
+                                 ///< use
   std::vector<std::filesystem::path> files;
 };
 
-/// A run that has not started. It records the parts of the spec that this search does not read.
+/// Returns a run that has not started. It records the parts of the spec that this search does not
+/// read.
 SearchRun begun(const JobSpec& spec, const Search& search);
 
-/// Greatest number of chunks of a search that a folder and its list can hold.
+/// Greatest number of chunks of a search. A folder and its list cannot hold more.
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
 
 /// Throws    IoError
@@ -84,7 +88,7 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
-/// The error if the search is too large to begin without yes_large, or nothing if it may begin.
+/// Returns an error if the search is too large to begin without yes_large, and otherwise none.
 /// Candidates are counted in closed form, the speed is measured for half a second, and the points
 /// of a grid are estimated.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
@@ -92,12 +96,13 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
 Error no_search();
 Error no_tooth_numbers();
 
-/// Determines when regions are computed: at once if the ranking or a table of all designs needs
-/// them, otherwise at the end and only for the listed designs.
+/// Determines when regions are computed. If the ranking or a table of all designs needs them, they
+/// are computed at once. Otherwise, they are computed at the end, for the listed designs only.
 RegionDetail detail_of(const SearchProblem& problem, bool files);
 
-/// All inputs that determine the result, as lines "key = value". `more` names tables of the spec
-/// that do not affect a search, but affect the study for which the lines are made.
+/// Returns all inputs that determine the result, as lines "key = value". `more` names further
+/// tables of the spec. They do not affect a search, but they affect the study for which the lines
+/// are made.
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
                                const std::vector<std::string>& more = {});
 

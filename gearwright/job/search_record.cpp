@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Calls f on every number of the row. Writing and reading use this one function.
+// Calls f for every number of the row. Both writing and reading use this function.
 template <class Row, class F>
 void each_number(Row& row, const F& f) {
   f(row.trial.index);
@@ -77,8 +77,8 @@ void each_number_of_point(Point& p, const F& f) {
 constexpr std::size_t kNumbers = 20 + 2 * 12 + 5;
 constexpr std::size_t kPointNumbers = 14;
 
-// Passes numbers to the compressor one by one, so that the uncompressed bytes of a million points
-// are never in memory at once.
+// Passes numbers to the compressor one by one. The uncompressed bytes of a million points are
+// therefore never in memory together.
 class Packer {
  public:
   Packer()

@@ -28,10 +28,10 @@ RegionDetail detail_of(const SearchProblem& problem, bool files) {
 
 namespace {
 
-// The speed of one thread in trials per second, measured for half a second in total at ten
-// trial numbers that are spread over the search. The tables for a helix angle are made before
-// each measurement, because the search makes them only once. A measurement ends after its time
-// even if trials are slow.
+// Returns the speed of one thread in trials per second. It is measured for half a second in total,
+// at ten trial numbers that are spread over the search. The tables for a helix angle are made
+// before each measurement, because the search makes them only once. A measurement ends after its
+// time even if trials are slow.
 double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kSeconds = 0.5;
@@ -65,10 +65,10 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} years", seconds / 31557600);
 }
 
-// Rejects a grid of profile shifts with too many points. The number of points follows from the
-// sum of the areas of the regions. This sum is estimated from a thousand trials that pass the
-// filter, or from all such trials if there are fewer. An error of a few percent does not
-// matter, because the limit only serves to prevent very large files.
+// Rejects a grid of profile shifts with too many points. The number of points follows from the sum
+// of the areas of the regions. This sum is estimated from a thousand trials that pass the filter,
+// or from all such trials if there are fewer. The limit only prevents very large files, so an error
+// of a few percent is acceptable.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;

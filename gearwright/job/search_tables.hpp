@@ -1,5 +1,6 @@
 // The columns of the CSV and Parquet tables of a search, made from the catalogue. Each quantity
-// with a column name has one column, and a quantity of both gears has two. Internal to job/.
+// with a column name has one column. A quantity of both gears has two columns. Internal to job/ and
+// the programs.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +16,14 @@
 
 namespace gearwright {
 
-/// Adds the headings of a column to `heads`: one heading, or one for each gear or for each end
-/// of a range.
+/// Adds the headings of a column to `heads`. There is one heading, or one for each gear, or one for
+/// each end of a range.
 void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads);
 
 template <class S>
 class TableColumns {
  public:
-  /// Omits the quantities with these keys.
+  /// Makes the columns of all quantities, except those with the keys in `without`.
   explicit TableColumns(const Quantities<S>& quantities,
                         const std::vector<std::string_view>& without = {}) {
     const std::vector<RecordColumn> all = columns_of(quantities.table());
@@ -85,8 +86,8 @@ class ParquetTable {
   ParquetWriter writer_;
 };
 
-/// The columns of designs. Safeties, masses and face widths are included if the search computes
-/// them.
+/// Returns the columns of designs. Safety factors, masses and face widths are included if the
+/// search computes them.
 TableColumns<DesignView> design_columns(const SearchProblem& problem);
 TableColumns<ShiftPoint> point_columns();
 

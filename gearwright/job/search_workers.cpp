@@ -32,8 +32,8 @@ void SearchWorkers::work(const Done& done) {
   const SearchWatch watch = [&](std::int64_t trials) {
     trials_done_ += trials;
     if (stopped()) return false;
-    constexpr unsigned kSeldom = 16;  // only every 16th call without finished trials is reported,
-                                      // so that the reports take little time
+    constexpr unsigned kSeldom = 16;  // of the calls without finished trials, only every 16th is
+                                      // reported, to save time
     if (trials > 0 || calls++ % kSeldom == 0) report_progress();
     return true;
   };
@@ -42,8 +42,8 @@ void SearchWorkers::work(const Done& done) {
     if (!c) return;
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
-    // The grid points are computed even if no file needs them, because every result contains their
-    // number.
+    // The grid points are computed even if no file needs them, because every result contains the
+    // number of grid points.
     const SearchCounts counts =
         search_.range(from, from + trials_of(*c), finds.designs,
                       {.detail = detail_of(search_.problem(), !options_.out.empty()),
@@ -73,7 +73,7 @@ std::int64_t SearchWorkers::trials_of(std::int64_t c) const {
 
 namespace {
 
-// The keys of these members in backticks: `a`, `b`.
+// Returns the keys of these members in backticks: `a`, `b`.
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields)
@@ -93,7 +93,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
     return true;
   }
   SearchProgress progress{.stage = SearchProgress::Stage::changes};
-  // Fewer candidates are evaluated if drawings are checked, because checking a drawing takes
+  // If drawings are checked, fewer candidates are evaluated, because the check of a drawing takes
   // milliseconds.
   constexpr std::int64_t kMaxDrawn = 300;
   const std::int64_t most = search.problem().draw ? kMaxDrawn : kMaxChangeQuestions;

@@ -1,7 +1,5 @@
 // Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as
-// it is finished.
-//
-// Internal to job/.
+// it is finished. Internal to job/ and the programs.
 #pragma once
 
 #include <atomic>
@@ -16,8 +14,8 @@ namespace gearwright {
 
 class SearchWorkers {
  public:
-  /// Receives the number of a chunk, its designs, and the numbers of trials that each limit
-  /// rejected. Several threads call it at once.
+  /// Receives the number of a chunk, its designs, and the number of trials that each limit
+  /// rejected. Several threads may call it at the same time.
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
   /// `todo` contains the numbers of the chunks in ascending order. Each chunk has `chunk`
@@ -42,10 +40,10 @@ class SearchWorkers {
   std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
 };
 
-// The work after all trials of a search: finding changes that would help if nothing is feasible,
-// and computing the regions of the listed designs.
+// The work after all trials of a search. It finds changes that would give a design if nothing is
+// feasible, and computes the regions of the listed designs.
 
-/// Computes changes that would make designs feasible, unless there are feasible designs.
+/// If no design is feasible, computes changes that make designs feasible.
 bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
 
 bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run);

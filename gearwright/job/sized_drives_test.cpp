@@ -1,5 +1,6 @@
-// Face widths of searches for drives. A search gives each mesh the least face width with the required
-// safeties. The oracle rates the drive of the printed spec with other widths by the verb rate.
+// Face widths of searches for drives. A search gives each mesh the least face width with the
+// required safeties. The oracle rates the drive of the printed spec with other widths by the verb
+// `rate`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,8 +87,8 @@ TEST(SizedDrives, EveryMeshOfASetHasItsLeastWidth) {
   }
 }
 
-// A sun drives a planet that meshes with two rings (3K). The planet spans both rings, and each mesh has
-// its least width: with one millimetre less, the mesh of the ring or of the sun lacks a safety.
+// A sun drives a planet that meshes with two rings (3K). The planet spans both rings, and each mesh
+// has its least width: with one millimetre less, the mesh of the ring or of the sun lacks a safety.
 TEST(SizedDrives, ThePlanetOfTwoRingsSpansTheirLeastWidths) {
   const Answer answer = sized_search(
       "kind = \"wolfrom\"\nratio = [-95, 95]\nsun_teeth = [14, 16]\nplanet_teeth = [18, 19]\n"
@@ -116,7 +117,7 @@ TEST(SizedDrives, ThePlanetOfTwoRingsSpansTheirLeastWidths) {
   }
 }
 
-// Oracle: all pairs of widths of the two stages are rated, and the narrowest train with the required
+// The oracle rates all pairs of widths of the two stages. The narrowest train with the required
 // safeties has the widths of the search.
 TEST(SizedDrives, ATrainIsTheNarrowestOfAllWidths) {
   const Answer answer = sized_search(

@@ -17,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-// A note about the material and the quality that gear 2 takes from gear 1. The note is
-// necessary, because the dimensions of gear 2 do not show where these values come from.
+// Returns a note about the material and the quality that gear 2 takes from gear 1. The note is
+// necessary, because the dimensions of gear 2 do not show the origin of these values.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -33,7 +33,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
                  fmt::format("Gear 2 takes these absent values from gear 1: {}.", text), 2};
 }
 
-// Notes about fits and textures of the drawing that apply to no gear of the spec.
+// Returns notes about fits and textures of the drawing that apply to no gear of the spec.
 std::vector<Warning> note_unused_fits(const JobSpec& spec) {
   bool bore = false, keyway = false;
   for (const auto& gear : spec.gears) {
@@ -60,7 +60,7 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
   return notes;
 }
 
-// Adds the data of double-helical gears. `job` contains one half of each.
+// Adds the data of double-helical gears. `job` contains one half of each such gear.
 std::optional<Error> find_halves(SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const int which = static_cast<int>(i) + 1;
@@ -79,16 +79,16 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
-// True if the verb `fit` can compute the numbers that the error reports as missing. These are the
-// position of the gears, the helices and the profile shifts.
+// True if the verb `fit` can compute the numbers that the error reports as missing. These numbers
+// are the position of the gears, the helix angles and the profile shifts.
 bool is_found_by_fit(const JobSpec& spec, const Error& error) {
   if (error.kind != FailureKind::placement && error.kind != FailureKind::missing) return false;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
   return spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
 }
 
-// Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one
-// half.
+// Solves the gears and the pair. For double-helical gears, the result contains one half of each
+// gear and the pair of these halves.
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
@@ -121,8 +121,8 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   SolvedJob job{std::move(arranged).take(), spec};
   if (auto error = find_halves(job)) return *error;
-  // Warnings are for the author of the file, so names of members in their text are replaced by
-  // keys of the file.
+  // Warnings are for the author of the file. In their text, keys of the file replace the names of
+  // members.
   for (Warning& w : job.warnings)
     w.message = spelled(w.message, spec.given, w.gear == 0 ? "" : gear_field(w.gear));
   return job;
@@ -184,7 +184,7 @@ Result<SolvedJob> solve_rack(const JobSpec& spec) {
   return job;
 }
 
-// The normal backlash that [pair] requires, mm.
+// Returns the normal backlash that [pair] requires, mm.
 double wanted_backlash(const PairInput& given, const RackPair& rack) {
   if (given.backlash) return *given.backlash;
   const double along = given.backlash_angle
@@ -200,7 +200,7 @@ Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
   const PairInput& given = spec.pair;
   auto nominal = solve_rack(spec);
   if (!nominal || !given.wants_backlash()) return nominal;
-  // The backlash is linear in the allowances [T2.36], [T2.37].
+  // The backlash is a linear function of the allowances [T2.36], [T2.37].
   const double wanted = wanted_backlash(given, *nominal->rack);
   const double thinning = wanted - nominal->rack->normal_backlash();
   JobSpec thinned = spec;
@@ -216,7 +216,7 @@ Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
                        made.error()),
         spec.given);
   SolvedJob job = std::move(made).take();
-  constexpr double kNoThinning = -1e-9;  // mm, a rounding error
+  constexpr double kNoThinning = -1e-9;  // mm; smaller magnitudes are rounding errors
   if (thinning < kNoThinning)
     job.warnings.push_back(
         {WarningCode::thickened_for_backlash,

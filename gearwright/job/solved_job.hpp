@@ -14,20 +14,21 @@ namespace gearwright {
 /// A spec with its gears and its pair. Warnings name the keys of the file.
 struct SolvedJob : Arranged {
   JobSpec spec;  ///< spec as read; computed values are in `completed`
-  /// The halves of double-helical gears. In this case, `gears` and `pair` describe only the half at
-  /// z > 0.
+  /// The halves of double-helical gears. If they are present, `gears` and `pair` describe only the
+  /// half at z > 0.
   std::array<std::optional<Halves>, 2> halves{};
-  /// The pinion with its rack if gear 2 is a rack. In this case `gears` contains only the pinion.
+  /// The pinion with its rack, if gear 2 is a rack. `gears` then contains only the pinion.
   std::optional<RackPair> rack{};
 
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
   /// True if gear 1 is mounted with another gear or with a rack.
   bool mounted() const { return pair || rack; }
-  /// The gears whose flanks are drawn. The second is null if gear 2 is a rack.
+  /// Returns the gears whose flanks are drawn. The second is null if gear 2 is a rack.
   std::array<const Gear*, 2> flanked_gears() const {
     return {&gears.front(), gears.size() > 1 ? &gears.back() : nullptr};
   }
-  /// arranged_corners() of the tolerances, computed at the first call. Copies share the result.
+  /// Returns arranged_corners() of the tolerances, computed at the first call. Copies share the
+  /// result.
   const std::vector<Arranged>& corners() const;
 
   struct Corners {
@@ -43,21 +44,21 @@ struct SolvedJob : Arranged {
 ///           than the single gears
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
-/// Like solve(), but gear 2 may also be a rack.
+/// Works like solve(), but gear 2 may also be a rack.
 ///
 /// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
-/// The error of a result that needs two gears, if gear 2 is a rack; otherwise nothing.
+/// Returns the error for a result that needs two gears if gear 2 is a rack, and otherwise none.
 std::optional<Error> two_gears_error(const JobSpec& spec);
 
-/// The error for a result that needs single-helical gears, or nothing if the gears are
-/// single-helical.
+/// Returns the error for a result that needs single-helical gears if the gears are not
+/// single-helical, and otherwise none.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
-/// The verb that can compute the missing numbers ("search", "identify" or "fit"), if solve() has
-/// rejected the spec with `error` because they are missing. The text is empty for any other error.
-/// `error` may contain names of members or keys of the file.
+/// Returns the verb that can compute missing numbers ("search", "identify" or "fit"). `error` is
+/// the error with which solve() has rejected the spec because of these numbers. The text is empty
+/// for any other error. `error` may contain names of members or keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

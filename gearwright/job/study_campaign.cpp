@@ -12,11 +12,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::int64_t kMostChunks = 4096;  // greatest number of chunks; in a study with fewer
-                                            // designs, each chunk is one design
+constexpr std::int64_t kMostChunks = 4096;  // greatest number of chunks; with fewer designs, each
+                                            // chunk is one design
 
-// The checksums of the files that the modifications name, because the spec contains only their
-// names.
+// Returns the checksums of the files that the modifications name. The spec contains only the names
+// of these files.
 std::string files_fingerprint(const JobSpec& spec, const std::filesystem::path& folder) {
   std::string lines;
   for (const char* gear : {"gear1", "gear2"}) {

@@ -19,8 +19,8 @@ namespace gearwright {
 
 namespace {
 
-// A column, with its headings in CSV and in a terminal, and the path of its value in a row. A % in
-// the path stands for the number of the percentile.
+// A column. It has headings in CSV and in a terminal, and the path of its value in a row. In the
+// path, % stands for the number of the percentile.
 struct StudyColumn {
   const char* csv;
   const char* head;  ///< empty if only CSV has the column
@@ -87,7 +87,8 @@ std::string head_of(const JobSpec& spec, const StudyColumn& column) {
   return head == "%" ? percent_words(spec) : head;
 }
 
-// Example: "63 designs, 1024 samples of each (8 replicates of 128), ranked by the 95 % point of …"
+// Returns, for example, "63 designs, 1024 samples of each (8 replicates of 128), ranked by the 95 %
+// point of …"
 std::string study_words(const JobSpec& spec, const StudyRun& run) {
   const ScatterInput& in = spec.scatter;
   return fmt::format(
@@ -106,7 +107,8 @@ std::string lost_words(const JobSpec& spec, const StudyRun& run) {
                      100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 
-// A sentence if the gears of the best design jam in some samples, otherwise an empty text.
+// Returns a sentence if the gears of the best design jam in some samples, and otherwise an empty
+// text.
 std::string jam_words(const StudyRun& run) {
   if (run.designs.empty()) return "";
   const Json& best = run.designs[0];

@@ -186,8 +186,9 @@ TEST(ToleranceEnds, combinations_are_arranged_once_for_all_outputs) {
   EXPECT_EQ(&job.corners(), &copy.corners());
 }
 
-// A thin tooth with a great tip diameter has the thinnest tip, and neither end has it. With z 119,
-// m 8, x −0.4, the ends gave 6.5142 and 6.5061 for a nominal tip of 6.4657 mm.
+// A thin tooth with a great tip diameter has the thinnest tip, and this combination occurs at
+// neither end. With z 119, m 8, x −0.4, the tip is 6.5142 mm and 6.5061 mm thick at the ends, and
+// its nominal thickness is 6.4657 mm.
 TEST(ToleranceEnds, enclose_all_combinations) {
   const Json big{{"gear1",
                   {{"teeth", 119},

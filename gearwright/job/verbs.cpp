@@ -30,8 +30,8 @@ namespace gearwright {
 
 namespace {
 
-// The steps of a verb after the gears and the pair are solved: the result, the verdict and the
-// output.
+// The steps of a verb after the gears and the pair have been solved: the result, the verdict and
+// the output.
 template <class Found>
 struct Solving {
   Scope scope;
@@ -72,13 +72,13 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   return answer;
 }
 
-// The title of the spec, and the quantities of an answer under the name of their table.
+// Returns the title of the spec, and the quantities of an answer under the name of their table.
 template <const auto& (*quantities)(), class Found>
 Json record_of(const SolvedJob& job, const Found& found) {
   return titled_record(job.spec, quantities().table().name.c_str(), quantities().of(found));
 }
 
-// The rows of the quantities of an answer.
+// Returns the rows of the quantities of an answer.
 template <const auto& (*quantities)(), class Found>
 Json table_rows(const Found& found, UnitSystem units) {
   const QuantityTable& table = quantities().table();
@@ -88,7 +88,7 @@ Json table_rows(const Found& found, UnitSystem units) {
                            .range = RowRange::shown});
 }
 
-// The empty result of verbs that need only the gears and the pair.
+// The result of verbs that need only the gears and the pair. It is empty.
 struct AsSolved {};
 
 Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
@@ -209,14 +209,16 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// The clause of the standard and the branch for each quantity of a rating.
+// Returns a function that gives the clause of the standard and the branch for each quantity of a
+// rating.
 auto sources_of(const RatingAnswer& answer, UnitSystem units) {
   return [&answer, units](const QuantityInfo& info) {
     return sentence_in(units, source_text(answer.rating, info.key));
   };
 }
 
-// Lists inputs, factors and safeties with symbol, value, unit, clause of the standard and branch.
+// Lists inputs, factors and safety factors with symbol, value, unit, clause of the standard and
+// branch.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
   return title_listing(job.spec, "\n") + quantity_listing(job.spec.units(), quantities.table(),
@@ -246,8 +248,8 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// The answer of a verb that completes an incomplete spec. Answer::specs contains the completed
-// specs.
+// Returns the answer of a verb that completes an incomplete spec. Answer::specs contains the
+// completed specs.
 template <class Found>
 Answer proposals(UnitSystem units, Found&& found, Json (*record)(const Found&),
                  std::string (*listing)(const Found&, UnitSystem)) {

@@ -22,51 +22,52 @@
 
 namespace gearwright {
 
-/// The result of a verb. Output for users is made only on request.
+/// The result of a verb. The output for users is made only on request.
 struct Answer {
   Json record;                     ///< every quantity, with the keys of the catalogue
   std::vector<Warning> warnings;   ///< about the gears and the results
   std::optional<Verdict> verdict;  ///< none if the verb judges no gears
   std::vector<Json> specs;  ///< specs that the verb proposes (branches, candidates, corrections),
                             ///< or the meshes of a drive
-  /// For each of the specs, sentences about its origin, followed by facts that the user should
-  /// know. The list may be empty.
+  /// For each of the specs, sentences about its origin, followed by facts that are important for
+  /// the user. The list may be empty.
   std::vector<std::vector<std::string>> notes;
   Json expanded;                         ///< for a drive, the spec with its graph; otherwise null
-  std::string why_none;                  ///< if a verb that proposes specs finds none, the reason
+  std::string why_none;                  ///< the reason, if a verb that proposes specs finds none
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
   std::function<Json(UnitSystem)> rows;  ///< rows of the page (job/result_rows.hpp); may be empty
   UnitSystem units =
-      UnitSystem::mm;  ///< units of the specs, the notes and all output; `record` is in mm
+      UnitSystem::mm;  ///< units of the specs, the notes and the output for users; `record` is in
+                       ///< mm
 };
 
-/// The answer with its specs and notes in the units of the spec.
+/// Returns the answer with its specs and notes in the units of the spec.
 Answer in_units_of(const JobSpec& spec, Answer answer);
 
-/// The record in the units of the answer. If the verb judges gears, `warnings` and `verdict`
-/// follow. Otherwise `warnings` follow only if there are any.
+/// Returns the record in the units of the answer. If the verb judges gears, `warnings` and
+/// `verdict` follow. If it does not, `warnings` follow only if there are any.
 Json answer_json(const Answer& answer);
-/// The listing, warnings and verdict.
+/// Returns the listing, the warnings and the verdict.
 std::string answer_text(const Answer& answer);
 
 struct Verb {
   const char* name;
   const char* meaning;  ///< one sentence without its full stop
   const char* example;
-  SpecUse use;       ///< the spec must contain all inputs for this use
-  bool csv, strict;  ///< csv: the result has a table; strict: it has a verdict
-  bool lasts;        ///< true if the verb may take seconds, so its progress is shown
-  /// The option --take: no option, a flag for a single proposed spec, or a number that selects one
-  /// of several specs.
+  SpecUse use;       ///< kind of use; the spec must contain all inputs that it requires
+  bool csv, strict;  ///< `csv`: true if the result has a table; `strict`: true if it has a verdict
+  bool lasts;        ///< true if the verb may take seconds; its progress is then shown
+  /// The option --take. It does not exist, is a flag for a single proposed spec, or is a number
+  /// that selects one of several specs.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
   Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
-  const char* key = "";                       ///< key of the result in the record; empty for verbs
-                                              ///< whose record has the gears and the pair
+  const char* key = "";                       ///< key of the result in the record; empty if the
+                                              ///< record has the gears and the pair instead
   const QuantityTable& (*table)() = nullptr;  ///< the quantities of the result
 
-  /// The answer in the units of the spec.
+  /// Returns the answer in the units of the spec.
   ///
   /// Throws  IoError if a file named in the spec cannot be read
   Result<Answer> run(const JobSpec& spec, Progress* progress) const;
@@ -74,13 +75,13 @@ struct Verb {
 
 /// All verbs, in the order in which users see them.
 std::span<const Verb> verbs();
-/// The verb of this name, or null if there is none.
+/// Returns the verb with this name, or null if there is none.
 const Verb* find_verb(std::string_view name);
-/// "gear, pair, …"
+/// Returns "gear, pair, …".
 std::string verb_names();
 
-/// The JSON of a verb's result. If the name is empty, the verb is `pair` for two gears and `gear`
-/// for one.
+/// Returns the JSON of the result of a verb. If the name is empty, the verb is `pair` for two gears
+/// and `gear` for one gear.
 ///
 /// Domain    the verb exists (contract)
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);
@@ -93,12 +94,12 @@ struct BatchLine {
     violated,  ///< the text is the error of a defect of Gearwright (base/contract.hpp)
   } outcome = Outcome::answered;
 };
-/// Computes a spec in JSON with `answer`. A failure becomes the error of this line, so the
-/// other lines of the batch are not affected. A spec without an input that `use` requires is
-/// also an error.
+/// Computes a spec in JSON with `answer`. If this fails, the error becomes the text of this line,
+/// so the other lines of the batch are not affected. If the spec lacks an input that `use`
+/// requires, this is also an error.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& spec, SpecUse use = SpecUse::geometry);
-/// Computes a spec in JSON with a verb, like answer_json.
+/// Computes a spec in JSON with a verb, like answer_json().
 BatchLine batch_line(std::string_view verb, const std::string& spec);
 
 }  // namespace gearwright

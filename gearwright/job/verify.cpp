@@ -22,8 +22,8 @@ struct Tolerance {
   double absolute = 0.0;
 };
 
-// The tolerance of a value in "tolerance": {"values": {path: absolute}}, or otherwise the tolerance
-// of the case.
+// Returns the tolerance of a value in "tolerance": {"values": {path: absolute}}. If there is none,
+// returns the tolerance of the case.
 Tolerance tolerance_of(const Json& c, const std::string& path) {
   Tolerance tolerance;
   if (!c.contains("tolerance")) return tolerance;
@@ -33,7 +33,7 @@ Tolerance tolerance_of(const Json& c, const std::string& path) {
   return {t.value("relative", 0.0), t.value("absolute", 0.0)};
 }
 
-// The value at a path such as "gears.0.base_diameter_mm", or null if there is none.
+// Returns the value at a path such as "gears.0.base_diameter_mm", or null if there is none.
 const Json* follow(const Json& root, const std::string& path) {
   Json::json_pointer place;
   std::istringstream words(path);

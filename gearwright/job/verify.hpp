@@ -1,12 +1,12 @@
-// Case files contain published numbers with their source. The program computes these numbers in the
-// same way as for a user's spec.
+// Case files contain published numbers with their source. The program computes these numbers as it
+// does for the spec of a user.
 //
 //   {"cases": [{"id", "source", "verb", "spec": {...},
 //               "expected": {"pair.center_distance_mm": 56.4999},
 //               "tolerance": {"relative", "absolute"}, "note"}]}
 //
-// "tolerance" may also contain "values": {path: absolute} for single values that are printed with
-// another number of digits. Each expected value has a path with list indices as numbers
+// "tolerance" may also contain "values": {path: absolute}, for single values that are printed with
+// another number of digits. Each expected value has a path. In a path, indices of lists are numbers
 // ("gears.0.base_diameter_mm"). Numbers are given as printed. A number passes if it is within the
 // relative or the absolute tolerance, whichever is wider. true, false, null and words pass if they
 // are equal. A case that expects "error.key" passes only if that error occurs.

@@ -25,9 +25,9 @@ DrawingInput title_words(const SolvedJob& job) {
   return words;
 }
 
-// The textures of the surfaces. `flank` is the texture of flanks without a texture of their own.
-// The texture of the title block applies to every other surface without a texture of its own. If
-// the title block contains no texture, such a surface has a blank symbol.
+// Returns the textures of the surfaces. `flank` is the texture of flanks without a texture of their
+// own. For any other surface without a texture of its own, the texture of the title block applies.
+// If the title block has no texture, the symbol of such a surface is blank.
 SurfaceRequirements textures(const DrawingInput& words, const std::string& flank) {
   const auto texture = [&](const std::string& own) {
     return own.empty() && !words.surface_texture.empty() ? std::nullopt : std::optional(own);
@@ -36,7 +36,8 @@ SurfaceRequirements textures(const DrawingInput& words, const std::string& flank
           texture(words.face_roughness), texture(words.bore_roughness), "", ""};
 }
 
-// If [drawing] has no texture of the flanks but [rating] gives their Rz, this Rz is the texture.
+// If [drawing] has no texture of the flanks, but [rating] gives their Rz, this Rz is used as the
+// texture.
 SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   std::string flank;
   const UnitSystem units = job.spec.units();
@@ -54,8 +55,8 @@ SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   return required;
 }
 
-// The heat treatment of a material and its given hardness, for example "case-hardened, 700 HV".
-// Cast materials and plastics have no heat treatment.
+// Returns the heat treatment of a material and its given hardness, for example "case-hardened, 700
+// HV". Cast materials and plastics have no heat treatment.
 std::string heat_treatment(const MaterialInput& material) {
   std::optional<MaterialKind> kind = material.kind;
   if (const auto row = material.name ? material_named(*material.name) : std::nullopt; row && !kind)
@@ -70,8 +71,8 @@ std::string heat_treatment(const MaterialInput& material) {
   return words;
 }
 
-// The material and the heat treatment of the title block. If the title block gives the material,
-// the material of the rating does not determine the heat treatment.
+// Sets the material and the heat treatment of the title block. If the title block already has a
+// material, the material of the rating is not used.
 void add_material(DrawingInput& words, const MaterialInput& material) {
   if (!words.material.empty()) return;
   words.material = material.name.value_or("");
@@ -83,8 +84,9 @@ struct SheetNumbers {
   std::string own, mate;
 };
 
-// If the mating part is drawn too, its number is the number of the drawing and of its sheet.
-// Otherwise it is unknown and stays blank.
+// Returns the numbers of a sheet. If the mating part is also drawn, its number consists of the
+// numbers of the drawing and of its sheet. If it is not drawn, its number is unknown and stays
+// blank.
 SheetNumbers sheet_numbers(const SolvedJob& job, const std::vector<int>& parts, std::size_t sheet) {
   const auto name = [&](std::size_t i) { return fmt::format("{}/{}", i + 1, parts.size()); };
   SheetNumbers numbers{name(sheet), ""};
@@ -118,7 +120,7 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const SheetNumb
   return made;
 }
 
-// A spec has no material of a rack, so its mass is unknown.
+// The spec gives no material of a rack, so the mass of the rack is unknown.
 Result<GearSheet> sheet_of_rack(const SolvedJob& job, const SheetNumbers& numbers, SheetSize size,
                                 double tolerance_mm) {
   const auto body = make_body(job, 2);
@@ -132,7 +134,7 @@ Result<GearSheet> sheet_of_rack(const SolvedJob& job, const SheetNumbers& number
   return made;
 }
 
-// In the order of SheetFormat.
+// The entries are in the order of SheetFormat.
 constexpr std::array kKinds{"PDF drawing", "SVG drawing", "DXF drawing"};
 
 }  // namespace

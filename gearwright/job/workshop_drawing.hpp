@@ -14,8 +14,8 @@ namespace gearwright {
 
 enum class SheetFormat { pdf, svg, dxf };
 
-/// The format for the extension of a file name, in upper or lower case. Other extensions have no
-/// format.
+/// Returns the format for the extension of a file name, in upper or lower case. Returns none for
+/// other extensions.
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {
@@ -24,10 +24,11 @@ struct WorkshopSheets {
   double deviation_mm;  ///< greatest deviation of the drawn outlines from the exact ones
 };
 
-/// The mass of a body of the job, kg. None if its material has no density.
+/// Returns the mass of a body of the job, kg, or none if its material has no density.
 std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody& body);
 
-/// One sheet for each of these parts, gear or rack, 1 or 2. `tolerance_mm` applies to the outlines.
+/// Makes one sheet for each of these parts, which are 1 or 2. A part is a gear or a rack.
+/// `tolerance_mm` applies to the outlines.
 ///
 /// Errors    the errors of make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,

@@ -12,23 +12,25 @@ namespace gearwright {
 
 namespace {
 
-// w, the distance along the centre line between the points of both racks at which the normal
-// angle is θ. [T7.15]
+// Returns w, the distance between a point of the convex rack and a point of the concave rack with
+// the same normal angle θ. The distance is measured along the centre line. [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
 
-// Height of a point of the arc above the pitch plane, away from the convex gear.
+// Returns the height of a point of the arc, measured from the pitch plane away from the convex
+// gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
-// The axial position of a point on a gear, without the part r φ tan λ, which depends on the
-// rotation φ at which the point was cut. [T7.13]
+// Returns the axial position of a point on a gear, without the part r φ tan λ. This part depends on
+// the rotation φ at which the rack cut the point. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
 }
 
-// Radius of curvature of the transverse profile, > 0 if n points away from the centre of curvature.
+// Returns the radius of curvature of the transverse profile. It is > 0 if n points away from the
+// centre of curvature.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
   // The tangent u_z t − t_z u of the transverse section. The length of this vector equals the
   // length of the component of n in this section.
@@ -37,8 +39,8 @@ double transverse_radius(const Mat2& k, double theta, double lambda) {
   return -n_t * n_t * n_t / d.dot(k * d);
 }
 
-// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
-// pitch radii and sin ψ refer to the transverse section. [T7.10]
+// Returns ρ_2 − ρ_1, the difference of the radii of two transverse profiles in line contact. ρ_1,
+// l, the pitch radii and sin ψ refer to the transverse section. [T7.10]
 double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
                                       double sin_psi) {
   // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
@@ -67,23 +69,25 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   const double change = in.center_distance - c0;
   const double difference = in.concave.radius - in.convex.radius;
   GW_EXPECTS(difference > 0.0);
-  // The sine of the first-order angle, by [T7.17]. If the change is 0, this formula is [T7.9].
+  // The sine of the contact angle to first order, by [T7.17]. If the change is 0, this formula is
+  // [T7.9].
   const double s = (in.concave.b - in.convex.b - change) / difference;
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
   const double sin_lambda = std::sin(in.lead_angle.rad());
-  // The excess of the left side of [T7.16] over a². The difference of two squares is written as a
-  // product, so that no digits cancel.
+  // The left side of [T7.16] minus a². The difference of two squares is written as a product, so
+  // that no digits cancel.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
     const double across = w / std::tan(theta) * sin_lambda;
     return (w - change) * (c0 + w + in.center_distance) + across * across;
   };
-  // If the excess is not positive at the first-order angle, that angle is the result. Otherwise the
-  // exact angle is slightly greater.
+  // If the excess at the first-order angle is not positive, the first-order angle is the result.
+  // Otherwise the exact angle is slightly greater than the first-order angle.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
   // If the centre distance changes very little, the exact angle is very close to the first-order
-  // angle. Therefore, the first step is very short. Each further step is four times as long.
+  // angle. The first step is therefore very short. Each further step is four times as long as the
+  // previous one.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {
@@ -110,7 +114,7 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   const double mu = std::atan2(w * cot * s, c0 + w);
   at.mu = Angle::radians(mu);
 
-  // The point and the normal as cut, turned by μ.
+  // The point and the normal at the position at which the rack cut them, turned by μ.
   const double x = height(in.convex, theta);
   const double A = r_v + x, B = x * cot * s;
   const double cos_mu = std::cos(mu), sin_mu = std::sin(mu);
@@ -122,8 +126,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.radius_convex = std::hypot(A, B);
   const double x_c = height(in.concave, theta);
   at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
-  // The points of both gears must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + `ahead` with
-  // φ_v = μ. The concave gear is ahead by φ_c + μ. [T7.18], [T8.23]
+  // Both gears must touch at the same z, so r_c φ_c tan λ = r_v φ_v tan λ + `ahead`, with φ_v = μ.
+  // The concave gear is ahead by φ_c + μ. [T7.18], [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
   at.rotation_offset = Angle::radians((r_v * mu + ahead * c / s) / r_c + mu);
 

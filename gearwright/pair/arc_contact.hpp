@@ -43,15 +43,15 @@ struct ArcContact {
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point for a rotation φ of the convex gear, mm/rad
-  Angle rotation_offset;      ///< rotation by which the concave gear is ahead of the convex gear;
-                              ///< < 0 if there is play
+  Angle rotation_offset;      ///< rotation by which the concave gear leads the convex gear; < 0 if
+                              ///< there is play
   double radius_convex;       ///< distance of the point from the axis of the convex gear, mm
   double radius_concave;      ///< distance of the point from the axis of the concave gear, mm
   Mat2 curvature_convex;      ///< K of the convex flank in (t, u), 1/mm
   Mat2 curvature_concave;     ///< K of the concave flank in (t, u), 1/mm
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
-  Angle angle;                ///< angle in the tangent plane, between the direction of k1 and the
-                              ///< projection of the axis
+  Angle angle;                ///< from the projection of the axis on the tangent plane to the
+                              ///< direction of k1, in the tangent plane
   double
       transverse_radius_convex;  ///< radius of curvature of the convex transverse profile, mm; > 0
                                  ///< if the centre of curvature lies on the side of the convex gear
@@ -60,8 +60,8 @@ struct ArcContact {
   double line_contact_difference;  ///< ρ_2 − ρ_1 of the transverse profiles in line contact, mm
 };
 
-/// The curvature K of a surface that a circular arc of a rack cuts, at the normal angle θ. ρ and b
-/// are signed. `turn` is +1 for the convex gear, which is gear 1 of the frame, and −1 for its
+/// Returns the curvature K, at the normal angle θ, of a surface cut by a circular arc of a rack. ρ
+/// and b are signed. `turn` is +1 for the convex gear, which is gear 1 of the frame, and −1 for its
 /// mating gear.
 ///
 /// Units     mm, rad
@@ -69,33 +69,34 @@ struct ArcContact {
 Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double pitch_radius,
                    double turn);
 
-/// The normal angle of the contact at the centre distance of `in`; none if the arcs have no common
-/// normal at that distance.
+/// Returns the normal angle of the contact at the centre distance of `in`. Returns none if the arcs
+/// have no common normal at this centre distance.
 ///
 /// Formula   exact, [T7.16]; the root is bracketed by steps from the first-order angle [T7.17]
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
-// The tool setting b_F, which is the b of the rack that cuts the convex teeth of circular-arc
-// gears. The functions compute the change of the tool setting that restores the contact after a
-// change of the centre distance, and the effect of this change on the tooth thickness.
+// The tool setting is b_F, the b of the rack that cuts the convex teeth of circular-arc gears. The
+// first function computes the change of the tool setting that restores the contact after a change
+// of the centre distance. The second function computes how this correction changes the tooth
+// thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
 //   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance along the centre line between the points of
 //                                         both racks that have the normal angle θ, mm
 //                                         theory: docs/theory/08-contact.md, [T8.20], [T8.21]
 
-/// The change Δb_F with which the contact has the angle θ at `in.center_distance` + ΔC.
+/// Returns the change Δb_F that moves the contact to the angle θ at `in.center_distance` + ΔC.
 ///
 /// Formula   exact, a quadratic equation in w; the first order is −ΔC (Litvin and Tsay, Eq. 34)
 /// Units     mm
 /// Domain    0 < θ < π/2 (contract)
 double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_distance);
 
-/// The change of the normal thickness of the convex tooth that Δb_F causes, mm; < 0 if the
-/// tooth becomes thinner. The thickness is measured at the height of the point with the normal
-/// angle θ.
+/// Returns the change of the normal thickness of the convex tooth that Δb_F causes, mm. It is < 0
+/// if the tooth becomes thinner. The thickness is measured at the height of the point with the
+/// normal angle θ.
 ///
 /// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
 double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);

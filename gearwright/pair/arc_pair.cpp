@@ -73,12 +73,14 @@ void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   if (by_gear_2) {
     // The frame of arc_contact.hpp has its origin on axis 2, and its x axis points towards axis 1.
     // In that frame, a tooth of the convex gear is on the centre line at rotation 0. In the
-    // housing, a space of gear 2 is on the centre line, so the contacts lie half an axial pitch
-    // away. Of the two neighbouring contacts, the one nearer to the middle of the face is chosen.
+    // housing, a space of gear 2 is there, so the contacts are displaced by half an axial pitch.
+    // Two of the displaced contacts are neighbours of the middle of the face, and the nearer one is
+    // used.
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
-    // The normal is rotated with the frame and then reversed, so that it points out of gear 1.
+    // The normal is turned with the frame. Then its sign is changed, so that it points out of gear
+    // 1.
     at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};
   }
   const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;
@@ -98,7 +100,7 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
           a};
 }
 
-// True if a working arc of the gear's rack contains the normal angle θ.
+// True if a working arc of the gear's rack includes a point with the normal angle θ.
 bool has_angle(const Gear& gear, double side, Angle theta) {
   for (const RackArc& arc : gear.arc_cutter()->arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
@@ -108,7 +110,7 @@ bool has_angle(const Gear& gear, double side, Angle theta) {
   return false;
 }
 
-// The name of the spec member that gives the radius of the concave flank.
+// Returns the name of the spec member that gives the radius of the concave flank.
 const char* radius_field(const Gear& concave) {
   const Rack& rack = concave.spec.rack;
   return std::holds_alternative<ArcRack>(rack)         ? "rack.arc_radius"
@@ -116,7 +118,7 @@ const char* radius_field(const Gear& concave) {
                                                        : "rack.arcs";
 }
 
-// Finds all contacts. If there is no contact, the function returns the reason.
+// Finds all contacts. If there is none, the function returns the reason as an error.
 std::optional<Error> find_contacts(ArcPair& pair) {
   std::optional<Error> reason;
   for (const bool by_gear_2 : {false, true}) {
@@ -160,8 +162,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
                "racks F and P, or use the same double-arc rack for both gears"};
 }
 
-// The longest distance along z that contains no contact point. The positions of the contact points
-// repeat with the axial pitch.
+// Returns the greatest distance along z between neighbouring contact points. The positions of the
+// contact points repeat with the axial pitch.
 double longest_gap(const ArcPair& pair) {
   const CylindricalSpec& s = pair.gears[0].spec;
   const double p_x = kPi * s.normal_module / std::sin(std::abs(s.helix_angle.rad()));
@@ -298,7 +300,7 @@ StatedBacklash ArcPair::stated_backlash() const {
 
 const ArcPairContact& ArcPair::first_contact() const {
   GW_EXPECTS(!contacts.empty());
-  // Converts the offset to a rotation of gear 2, so that contacts can be compared.
+  // Converts the offset to a rotation of gear 2. The offsets of all contacts can then be compared.
   const auto ahead = [&](const ArcPairContact& c) {
     return c.convex_gear == 1 ? c.at.rotation_offset : c.at.rotation_offset / gear_ratio();
   };
@@ -325,8 +327,8 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
                             pair.gears[1 - i].root_diameter / 2;
   }
   find_backlash(pair);
-  // If the leads match, all transverse sections have the same outline at different rotations. A
-  // comparison of the outlines therefore covers the whole bodies.
+  // If the leads match, all transverse sections have the same outline, but at different rotations.
+  // A comparison of the outlines in one section is therefore valid for the whole bodies.
   if (pair.backlash_rotation) {
     detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.base_backlash);
     // Negative backlash and tips that cut into roots have their own warnings.

@@ -1,9 +1,9 @@
 // A pair of gears with circular-arc teeth, mounted on parallel axes.
 //
 // A convex flank touches a concave flank in a point that moves along the teeth, parallel to the
-// axes. There is no transverse path of contact, so contact is continuous only if the overlap of the
-// teeth along the face is sufficient. Each side of a tooth has one such point if racks F and P have
-// cut the teeth; it has two such points if the teeth have double arcs.
+// axes. There is no transverse path of contact. Contact is therefore continuous only if the teeth
+// overlap sufficiently along the face. Each side of a tooth has one point of contact if racks F and
+// P have cut the teeth. Teeth with double arcs have two points of contact on each side.
 //                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
 #pragma once
 
@@ -19,8 +19,9 @@ namespace gearwright {
 /// A point at which the leading flanks touch, in the housing frame.
 struct ArcPairContact {
   int convex_gear;  ///< 1 or 2
-  ArcContact at;    ///< `point` and `normal` are in the housing frame at rotation 0, and `normal`
-  ///< points out of gear 1; `rotation_offset` refers to the concave gear
+  /// `point` and `normal` are in the housing frame at rotation 0. `normal` points out of gear 1,
+  /// and `rotation_offset` refers to the concave gear.
+  ArcContact at;
   std::optional<Angle> nominal_theta;  ///< θ at the reference centre distance [T7.9]
 };
 
@@ -28,12 +29,11 @@ struct ArcPair : MountedGears {
   ArcPair() = default;                   ///< empty; prevents aggregate initialisation
   double overlap_ratio;                  ///< ε_β  of the common face, with the pitch of gear 1
   std::vector<ArcPairContact> contacts;  ///< empty if the leads of the gears do not match
-  double face_for_contact;  ///< the least face width that always contains a point of contact, mm
+  double face_for_contact;  ///< least face width at which a point of contact always exists, mm
   std::optional<std::array<Angle, 2>>
-      backlash_rotation;       ///< play of each gear with the mating gear held; none without
+      backlash_rotation;       ///< play of each gear while the other gear is held; none without
                                ///< contacts
-  double base_backlash = 0.0;  ///< j_bn  mm, along the common normal at the contact that touches
-                               ///< first
+  double base_backlash = 0.0;  ///< j_bn  mm, along the common normal, at first_contact()
 
   /// j_n  mm, j_bn/cos θ at the same contact.   Domain: there are contacts
   double normal_backlash() const;
@@ -41,7 +41,8 @@ struct ArcPair : MountedGears {
   double contact_ratio() const;            ///< ε_β times the number of contacts
   double contact_ratio_true() const { return contact_ratio(); }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
-  /// The contact with the least angular backlash. It touches first.   Domain: there are contacts
+  /// Returns the contact with the least angular backlash, which touches first. Domain: there are
+  /// contacts
   const ArcPairContact& first_contact() const;
 };
 
@@ -49,11 +50,12 @@ struct ArcPair : MountedGears {
 std::vector<WorkingArc> convex_arcs(const Gear& gear);
 std::vector<WorkingArc> concave_arcs(const Gear& gear);
 
-/// Permitted differences between the two gears in module and helix angle. They allow for leads that
-/// are corrected to compensate for errors of the housing.
+/// Permitted differences between the two gears in module and helix angle. They are greater than
+/// rounding errors, because a lead may be corrected for errors of the housing.
 constexpr double kNearModule = 0.005;              ///< relative difference of the modules
 constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< greatest |β_1 + β_2|
-constexpr double kSameAsWritten = 1e-9;            ///< difference of values that count as equal
+constexpr double kSameAsWritten = 1e-9;            ///< relative difference below which two values
+                                                   ///< count as equal
 constexpr Angle kSamePressureAngle =
     Angle::degrees(0.05);  ///< greatest difference between the given ψ_c and the computed ψ_c
 
@@ -61,9 +63,9 @@ constexpr Angle kSamePressureAngle =
 ///
 /// Errors    `gearN.rack` if a gear is an involute gear, or if no convex arc meets a concave arc;
 ///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
-///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch, with the
-///           values at which two arcs touch. Contacts off the usable flanks and similar faults are
-///           warnings
+///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch; the error
+///           then gives the values at which two arcs touch. Other faults, such as contacts beyond
+///           the usable flanks, are warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 
 }  // namespace gearwright

@@ -1,6 +1,7 @@
-// Closed forms about the reach of the tips of two mounted gears. They give the clearance between
-// each tip and the mating root, and the radius down to which each tip touches the mating flank.
-// They also give the tip diameter with which contact stays on the usable flank of the mating gear.
+// Computes in closed form how far the tips of two mounted gears reach. The results are the
+// clearance between each tip and the mating root, and the radius down to which each tip touches the
+// mating flank. Another result is the tip diameter with which contact stays on the usable flank of
+// the mating gear.
 //
 //   r_a, r_f   tip and root radius        d_Nf/2   radius down to which the mating tip touches
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.23], [T2.25]
@@ -13,24 +14,26 @@
 
 namespace gearwright {
 
-/// An overlap of at most this fraction of the base pitch is a rounding error, not interference.
-/// Such an overlap occurs if one gear has cut the other gear, because their clearance is then
-/// 0.
+/// An overlap of at most this fraction of the base pitch is a rounding error and counts as no
+/// interference. Such an overlap occurs if one gear has cut the other, because their clearance is
+/// then 0.
 constexpr double kNoCollision = 1e-11;
 
-/// The clearances c on the centre line, mm, from tip 1 to root 2 and from tip 2 to root 1. `side`
-/// is σ of gear 2. [T2.23]
+/// Returns the clearances c on the centre line, mm, first from tip 1 to root 2, then from tip 2 to
+/// root 1. `side` is σ of gear 2. [T2.23]
 std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
                                      const std::array<double, 2>& root_radius,
                                      double center_distance, double side);
 
-/// d_Nf/2 of each gear, mm; none if the mating tip reaches past the base tangent point. [T2.25]
+/// Returns d_Nf/2 of each gear, mm, or none if the mating tip extends beyond the base tangent
+/// point. [T2.25]
 std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>& input,
                                                         const Mesh<double>& mesh);
 
-/// The tip diameter of gear `tip` (1 or 2) with which the contact on the mating gear ends at the
-/// radius of the start of the mating gear's usable flank, plus `margin` mm. None if the present tip
-/// does not reach past this radius, or if the mating gear has no usable flank or no outline.
+/// Returns the tip diameter of gear `tip` (1 or 2) that keeps contact on the usable flank of the
+/// mating gear. With this diameter, contact ends at the radius at which the usable flank starts,
+/// plus `margin` mm. Returns none if the present tip diameter already has this effect, or if the
+/// mating gear has no usable flank or no outline.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright

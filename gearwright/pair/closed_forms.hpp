@@ -4,8 +4,8 @@
 //   y    given value of inv α        s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// At run time the best available instruction set is used, as in design/candidate.hpp. The result of
-// a row outside the domain is NaN.
+// At run time, the program uses the best instruction set of the processor, as in
+// design/candidate.hpp. If a row lies outside the domain, its result is NaN.
 //
 //   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit,
 //             on any machine
@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// Computes the α with inv α = y, without iteration.
+/// Computes the angle α that satisfies inv α = y, without iteration.
 ///
 /// Formula   α = c + c³ P(c²) with c = ∛(3y) for y < 1.1, otherwise α = π/2 − s − s³ Q(s²) with s =
 ///           1/(y + π/2); section 2.1
@@ -33,7 +33,7 @@ struct BacklashConstants {
   double tan_alpha = 0.0;      ///< tan α_n, > 0
 };
 
-/// The columns from which backlashes are computed; z2 < 0 for an internal gear.
+/// The columns from which backlashes are computed. z2 is < 0 for an internal gear.
 struct BacklashColumns {
   enum In { z1, z2, x1, x2, sin_beta, allowance_1, allowance_2, center_distance, kIn };
   std::array<const double*, kIn> in{};

@@ -1,5 +1,6 @@
 // The vector version of pair/closed_forms.hpp, written with Google Highway. This file is compiled
-// once for each instruction set that the compiler supports, and the best one is chosen at run time.
+// once for each instruction set that the compiler supports. At run time, the program uses the best
+// version for the processor.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gearwright/pair/closed_forms_simd.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

@@ -1,4 +1,5 @@
-// If the program is built without Google Highway, the formulas are computed with plain doubles.
+// Implements pair/closed_forms.hpp without Google Highway. The formulas are computed with plain
+// doubles.
 #include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright {

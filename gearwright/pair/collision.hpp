@@ -1,8 +1,8 @@
-// Collisions of two finished outlines. In a collision, either the bodies overlap, or parts
-// other than the flanks touch while the gears can still turn.
+// Collisions of two finished outlines. There are two kinds of collision. Either the bodies overlap,
+// or parts other than the flanks touch while the gears can still turn.
 //
-// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp
-// are based on circles and corners, and serve only to explain the collisions.
+// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp are
+// based on circles and corners. They only explain collisions.
 #pragma once
 
 #include <optional>
@@ -29,12 +29,12 @@ const char* to_string(CollisionCause cause);
 /// Two parts of the pair's outlines that collide.
 struct Collision {
   CollisionCause cause;
-  int gear;      ///< the gear whose root, or projecting tip, collides; 0 for both
-  double depth;  ///< mm along the common normal: the depth of an overlap in the middle of the play,
-                 ///< or the distance by which a contact beyond the flank precedes the contact of
-                 ///< the flanks
-  std::optional<OutlineTouch> touch;  ///< position of the contact; none if the collision was found
-                                      ///< from a circle instead of the outlines
+  int gear;      ///< the gear whose root or projecting tip collides; 0 for both gears
+  double depth;  ///< mm along the common normal. For an overlap, its depth in the middle of the
+                 ///< play. For a contact beyond the flank, the distance by which this contact
+                 ///< precedes the contact of the flanks
+  std::optional<OutlineTouch> touch;  ///< position of the contact; none if a circle, and not the
+                                      ///< outlines, shows the collision
   std::string message;                ///< one sentence
 };
 

@@ -8,7 +8,8 @@
 //   X    distance of the two pitch planes, mm, X = σ (a − r_2 − σ r_1)
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Spur, helical and crossed pairs differ only in their α_n, which pair/working_angles.hpp computes.
+// Spur, helical and crossed pairs differ only in the α_n of this rack. pair/working_angles.hpp
+// computes α_n.
 #pragma once
 
 #include <array>
@@ -26,7 +27,8 @@ T side_of(const BasePair<T>& gears) {
   return side_of(gears[1]);
 }
 
-/// β_b1 and σ β_b2, rad: the base helix angles with the signs that they have in the sum Σ.
+/// Returns β_b1 and σ β_b2, rad, the base helix angles with the signs that they have in Σ = β_1 + σ
+/// β_2.
 template <class T>
 std::array<T, 2> adding_helix_angles(const BasePair<T>& gears) {
   return {gears[0].helix_angle, side_of(gears) * gears[1].helix_angle};
@@ -38,8 +40,7 @@ T base_radius_sum(const BasePair<T>& gears) {
   return gears[1].radius + side_of(gears) * gears[0].radius;
 }
 
-/// α_n of the rack and u of both gears. Near β = 90°, u is accurate although cos β loses its
-/// digits.
+/// α_n of the rack, and u of both gears. Near β = 90°, cos β loses its digits, but u is accurate.
 template <class T>
 struct RackAngles {
   T sin_alpha;         ///< sin α_n
@@ -66,7 +67,7 @@ RackAngles<T> angles_at(const BasePair<T>& gears, const T& alpha_n) {
   return a;
 }
 
-/// One gear as it rolls with the rack.
+/// The data of one gear that rolls with the rack.
 template <class T>
 struct RackSide {
   T helix_angle;             ///< β_i   rad, signed, on the pitch cylinder
@@ -87,11 +88,13 @@ struct CommonRack {
   T shaft_angle;            ///< Σ = β_1 + σ β_2  rad
   std::array<RackSide<T>, 2> sides;
 
-  /// The X without backlash, at which all four flanks touch: Q/(2 sin α_n), mm. [T4.8]
+  /// Returns the distance X at which there is no backlash and all four flanks touch, Q/(2 sin α_n),
+  /// mm. [T4.8]
   T tight_plane_distance() const { return excess / (T(2) * angles.sin_alpha); }
 };
 
-/// K = Q(0) = Σ s_bt cos β_b − p_bn, mm: the excess of the base thicknesses over the pitch. [T4.7]
+/// Returns K = Q(0) = Σ s_bt cos β_b − p_bn, mm, the sum of the base thicknesses minus the base
+/// pitch. [T4.7]
 template <class T>
 T base_excess(const BasePair<T>& gears) {
   using std::cos;
@@ -99,7 +102,7 @@ T base_excess(const BasePair<T>& gears) {
          gears[1].tooth_thickness * cos(gears[1].helix_angle) - normal_base_pitch(gears[0]);
 }
 
-/// The rack with the given angles, and the data of both gears that roll with it.
+/// Returns the rack with the given angles, and the data of both gears that roll with it.
 ///
 /// Formula   r = r_b cos β_b/u, tan α_t = sin α_n/u, tan β = S/u, [T4.5];
 ///           t_n = (s_bt − τ d_b inv α_t) cos β_b/cos α_n, [T4.6];  Q = K − Σ τ d_b cos β_b inv
@@ -137,7 +140,8 @@ CommonRack<T> common_rack(const BasePair<T>& gears, const RackAngles<T>& angles)
   return rack;
 }
 
-/// The centre distance without backlash, a = r_2 + σ (r_1 + X), in a form in which no terms cancel.
+/// Returns the centre distance without backlash, a = r_2 + σ (r_1 + X). The formula avoids
+/// cancellation.
 ///
 /// Formula   a = r_b2 α_t2/sin α_t2 + σ (r_b1 α_t1/sin α_t1 + K/(2 sin α_n)); [T4.9], [T4.11]
 /// Accuracy  ledger row `crossed.center_distance`
@@ -152,8 +156,8 @@ T conjugate_center_distance(const BasePair<T>& gears, const CommonRack<T>& rack)
          side_of(gears) * (share(0) + base_excess(gears) / (T(2) * rack.angles.sin_alpha));
 }
 
-/// Derivative of conjugate_center_distance with respect to α_n, −σ X/tan α_n, mm/rad. It is 0 at
-/// the least distance. [T4.10]
+/// Returns the derivative of conjugate_center_distance with respect to α_n, −σ X/tan α_n, mm/rad.
+/// The derivative is 0 at the least centre distance. [T4.10]
 template <class T>
 T conjugate_center_distance_slope(const BasePair<T>& gears, const CommonRack<T>& rack) {
   return -side_of(gears) * rack.tight_plane_distance() * rack.angles.cos_alpha /

@@ -24,9 +24,9 @@ ContactLineRange contact_line_range(double transverse_ratio, double overlap_rati
   const double r_alpha = transverse_ratio - whole;
   if (overlap_ratio == 0.0) return {whole, r_alpha > 0.0 ? whole + 1.0 : whole};
   const double r_beta = overlap_ratio - std::floor(overlap_ratio);
-  // Only the fractional parts r_α and r_β of the ratios cause a variation. λ ε_β is a constant
-  // plus the length that two arcs on a circle of length 1 have in common. The arcs have the
-  // lengths r_α and r_β. The mean of the common length is r_α r_β.
+  // The variation depends only on the fractional parts r_α and r_β of the two ratios. Consider two
+  // arcs of the lengths r_α and r_β on a circle of the circumference 1. λ ε_β is a constant plus
+  // the length that both arcs have in common. The mean of this length is r_α r_β.
   const double mean = r_alpha * r_beta;
   const double most = std::min(r_alpha, r_beta);
   const double least = std::max(0.0, r_alpha + r_beta - 1.0);
@@ -36,7 +36,7 @@ ContactLineRange contact_line_range(double transverse_ratio, double overlap_rati
 
 std::optional<double> deflection_variation(double transverse_ratio, double overlap_ratio) {
   const auto [least, greatest] = contact_line_range(transverse_ratio, overlap_ratio);
-  // A λ below this value is 0 except for rounding.
+  // If λ is below this limit, it is 0 within rounding.
   constexpr double kNoLine = 1e-9;
   if (!(least > kNoLine)) return std::nullopt;
   return transverse_ratio * (1.0 / least - 1.0 / greatest);

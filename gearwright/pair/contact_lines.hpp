@@ -1,5 +1,5 @@
-// The total length of the contact lines of a pair on parallel axes, and how it varies with
-// rotation.
+// Computes the total length of the contact lines of a pair on parallel axes, and the variation of
+// this length with the rotation.
 //
 //   ε_α, ε_β   transverse contact ratio, overlap ratio
 //   τ          rotation, in pitches
@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// λ(τ). A tooth begins contact at one end of its face at τ = 0, and leaves contact at the other
-/// end at τ = ε_α + ε_β.
+/// Returns λ(τ). At τ = 0, a tooth begins contact at one end of its face. At τ = ε_α + ε_β, it
+/// leaves contact at the other end.
 ///
 /// Formula   λ = Σ_k |[τ + k − ε_β, τ + k] ∩ [0, ε_α]|/ε_β over all whole k; on spur gears the
 ///           number of k with 0 ≤ τ + k < ε_α; [T9.14]
@@ -33,8 +33,8 @@ struct ContactLineRange {
 /// Domain    ε_α, ε_β ≥ 0 (contract)
 ContactLineRange contact_line_range(double transverse_ratio, double overlap_ratio);
 
-/// The variation of the deflection, peak to peak, divided by the deflection at λ = ε_α. None if λ
-/// vanishes at some rotation, because the teeth then lose contact.
+/// Returns the peak-to-peak variation of the deflection, divided by the deflection at λ = ε_α.
+/// Returns none if λ is 0 at some rotation, because the teeth then lose contact.
 ///
 /// Formula   ε_α (1/λ_min − 1/λ_max); [T9.16]
 /// Domain    ε_α, ε_β ≥ 0 (contract)

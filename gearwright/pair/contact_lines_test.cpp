@@ -13,8 +13,8 @@
 namespace gearwright {
 namespace {
 
-// Cuts every tooth into thin spur gears, each delayed after the one before it, and counts the
-// slices in contact.
+// Cuts every tooth into thin spur gears, each of which meshes later than the preceding one, and
+// counts the slices in contact.
 double counted(double transverse, double overlap, double turn) {
   constexpr int kSlices = 4000;
   int touching = 0;
@@ -51,7 +51,8 @@ TEST(ContactLines, LieBetweenTheirEnds) {  // (2), (3)
       greatest = std::max(greatest, lines);
       mean += lines / kTurns;
     }
-    // λ changes by at most one line per ε_β, with up to two ends of lines moving at once.
+    // Per pitch of rotation, each moving end of a contact line changes λ by 1/ε_β. At most two ends
+    // move at once.
     const double step = overlap > 0.0 ? 2.0 / kTurns / overlap : 1e-12;
     const auto range = contact_line_range(transverse, overlap);
     EXPECT_NEAR(range.least, least, step) << transverse << " " << overlap;

@@ -18,8 +18,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The frames of gears at rest. A is the gear whose tip moves, and B is its mating gear. Each of the
-// two gears is A once.
+// The frames of gears at rest. A is the gear whose tip moves, and B is its mating gear. The gaps
+// are computed twice, with gear 1 and with gear 2 as A.
 struct Own {};
 struct Tip {};   // A
 struct Mate {};  // B
@@ -55,7 +55,7 @@ struct TipPoint {
   OutlinePlace place;
 };
 
-/// The gap between a tip point of A and the outline of B.
+/// The gap between a point of the tip of A and the outline of B.
 struct TipGap {
   double value = std::numeric_limits<double>::infinity();  // turn of B
   double side = 1.0;
@@ -65,8 +65,8 @@ struct TipGap {
   ArcName arc = ArcName::root_fillet;
 };
 
-/// A point of the tip of A that moves past B. Its positions are given by azimuth and height on a
-/// cylinder about the axis of A.
+/// The motion of a point of the tip of A past B. The point moves on a cylinder about the axis of A,
+/// and azimuth and height on this cylinder give its positions.
 class TipMotion {
  public:
   TipMotion(const Body& a, const Body& b, const TipPoint& tip)
@@ -78,7 +78,7 @@ class TipMotion {
   const Body& a() const { return a_; }
   const Body& b() const { return b_; }
   double rho() const { return tip_.rho; }
-  /// Azimuth of the axis of B in the frame of A.
+  /// Azimuth of the axis of B, in the frame of A.
   double start() const { return start_; }
   /// The direction of the axis of B, in the frame of A.
   Vec3 axis() const { return to_b_.isometry().linear().transpose() * Vec3(0, 0, 1); }
@@ -114,7 +114,7 @@ class TipMotion {
   double start_;
 };
 
-// Returns a ψ next to the sign change of `beyond`, at which `beyond` is still negative. `beyond` is
+// Returns a ψ at which `beyond` is still negative, next to the change of its sign. `beyond` is
 // negative at `deepest` and not negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {
@@ -128,12 +128,12 @@ double crossing(const F& beyond, double deepest, double away, double z) {
 }
 
 /// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the tip
-/// cylinder. They return an empty GapOver if there is no such point.
+/// cylinder. If no point of the tip cylinder lies within the form cylinder of B, outside() returns
+/// an empty GapOver.
 using GapOver = std::function<TipGap(double, double)>;
 
-/// External pairs: u maps to ψ, measured from the direction of the axis of B. The part of the
-/// tip cylinder within the form cylinder of B is a strip, and v maps to the position across
-/// this strip.
+/// For external pairs, u maps to ψ, measured from the direction of the axis of B. The part of the
+/// tip cylinder within the form cylinder of B is a strip. v maps to the position across this strip.
 GapOver outside(const TipMotion& motion, double distance) {
   const double form = motion.b().form_radius;
   const Vec3 axis = motion.axis();
@@ -151,21 +151,21 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: v maps to the height z on the face of A, and u maps to ψ on the tip circle at
-/// this height. Only the part of the tip circle on the root side of the radius `limit` of B is
+/// For internal pairs, v maps to the height z on the face of A, and u maps to ψ on the tip circle
+/// at this height. Only the part of the tip circle on the root side of the radius `limit` of B is
 /// used.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // Radial distance of a point from the radius `limit` of B; negative on the root side of this
-  // radius.
+  // Returns the radial distance of a point from the radius `limit` of B. It is negative on the root
+  // side of this radius.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z).r;
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
   // The range of ψ in which the points lie on the root side of `limit`, and the ψ of the point that
-  // lies farthest on this side. None if no point lies there.
+  // lies farthest on the root side. There is no Window if all points lie on the other side.
   struct Window {
     double deepest, lo, hi;
   };
@@ -178,7 +178,7 @@ GapOver inside(const TipMotion& motion, double limit) {
     };
     return Window{deepest, end(-kPi), end(kPi)};
   };
-  // The windows are stored, because many (u, v) have the same height z.
+  // The windows are stored, because many pairs (u, v) share a height z.
   const auto windows = std::make_shared<std::map<double, std::optional<Window>>>();
   return [=, &motion](double u, double v) {
     const double z = v * motion.a().half_face;
@@ -196,7 +196,7 @@ struct Node {
   TipGap gap;
 };
 
-// The gaps at the nodes of a grid, row by row.
+// Returns the gaps at the nodes of a grid, row by row.
 std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
   std::vector<Node> nodes;
   for (int i = 0; i < columns; ++i) {
@@ -208,8 +208,9 @@ std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
   return nodes;
 }
 
-// Searches for the minimum from a node. Each step goes to the minimum of the quadratic through nine
-// points around the current point. The distance h of these points decreases from step to step.
+// Searches for the minimum from a node. Each step goes to the minimum of the quadratic function
+// through nine points around the current point. The distance h of these points decreases from step
+// to step.
 TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   constexpr int kSteps = 14;
   constexpr double kCloser = 0.4;
@@ -236,7 +237,7 @@ TipGap descend(const GapOver& gap_at, const Node& from, double h) {
     const double f_xx = f[2][1] - 2 * f[1][1] + f[0][1], f_yy = f[1][2] - 2 * f[1][1] + f[1][0];
     const double f_xy = (f[2][2] - f[2][0] - f[0][2] + f[0][0]) / 4;
     const double det = f_xx * f_yy - f_xy * f_xy;
-    if (!(det > 0.0) || !(f_xx > 0.0)) continue;  // no minimum there, so the next step is shorter
+    if (!(det > 0.0) || !(f_xx > 0.0)) continue;  // no minimum exists, so the next step is shorter
     const double dx = std::clamp((-f_yy * f_x + f_xy * f_y) / det, -2.0, 2.0);
     const double dy = std::clamp((-f_xx * f_y + f_xy * f_x) / det, -2.0, 2.0);
     ask(x_0 + dx * h, y_0 + dy * h);
@@ -244,7 +245,7 @@ TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   return best;
 }
 
-// The least gap of an external pair, searched from the best node of a uniform grid.
+// Returns the least gap of an external pair. The search starts at the best node of a uniform grid.
 TipGap least_outside(const GapOver& gap_at) {
   constexpr int kGrid = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kGrid, kGrid);
@@ -254,8 +255,8 @@ TipGap least_outside(const GapOver& gap_at) {
   return descend(gap_at, *best, 1.0 / (kGrid - 1));
 }
 
-// The least gap of an internal pair. The tip passes several teeth of B, so the gap may have
-// several minima. The search starts from every node that has no neighbour with a smaller value.
+// Returns the least gap of an internal pair. The tip passes several teeth of B, so the gap may have
+// several minima. A search starts from every node that has no neighbour with a smaller gap.
 TipGap least_inside(const GapOver& gap_at) {
   constexpr int kColumns = 49, kRows = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kColumns, kRows);
@@ -314,8 +315,8 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.arm = i == 0 ? gap.arm : gap.arm / std::abs(ratio);
       if (least && least->gap <= t.gap) return;
       const double turn_b = gap.side * gap.value;
-      // For the tip of gear 2, the gap was computed as a turn of gear 1. Both gears are therefore
-      // turned back until gear 1 is at its original rotation.
+      // For the tip of gear 2, the gap is a turn of gear 1. Both gears are therefore turned back
+      // together until gear 1 is at its original rotation.
       const double turn_1 =
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;
       t.rotation_1 = -std::remainder(turn_1, 2 * kPi / bodies[0].teeth);

@@ -27,8 +27,8 @@ std::optional<double> face_width_needed(const ParallelPair& pair) {
   if (pair.mesh.true_ratio >= 1.0) return std::nullopt;
   const auto face = face_width_for_total(pair, 1.0);
   if (!face) return std::nullopt;
-  // In units of 0.01 mm. If a width exceeds a whole number of these units by less than kWhole, it
-  // is not rounded up.
+  // The face width is rounded up to a multiple of 0.01 mm. If it exceeds such a multiple by less
+  // than kWhole of 0.01 mm, the excess is a rounding error and is ignored.
   constexpr double kWhole = 1e-9;
   return std::ceil(pair.whole_face(*face) * 100 - kWhole) / 100;
 }

@@ -17,14 +17,16 @@ struct Linear {
   Linear from(double s) const { return {at + s * slope, slope}; }
 };
 
-// ∫ (u·w)/|u| ds from lo to hi, where |u|² = A (s² + k²) with s measured from the minimum of |u|.
+// Returns ∫ (u·w)/|u| ds from lo to hi. Here |u|² = A (s² + k²), with s measured from the minimum
+// of
+// u|.
 double projected(const Linear& u, const Linear& w, double A, double k, double lo, double hi) {
   const double p2 = u.slope.dot(w.slope);
   const double p1 = u.at.dot(w.slope) + u.slope.dot(w.at);
   const double p0 = u.at.dot(w.at);
   const auto primitive = [&](double s) {
     const double root = std::hypot(s, k);
-    // If k = 0, u and therefore p0 are 0 at the origin.
+    // If k = 0, u is 0 at the origin, and therefore p0 is also 0.
     const double area = k > 0.0 ? (p0 - p2 * k * k / 2) * std::asinh(s / k) : 0.0;
     return area + p1 * root + p2 * s * root / 2;
   };
@@ -82,8 +84,8 @@ Efficiency efficiency(const SlidingShares& shares, double friction) {
 
 std::vector<ContactZone> contact_zones(double begin, double end, double step) {
   GW_EXPECTS(begin <= end && step > 0.0);
-  // When a tooth pair is at end − k step, the k-th pair ahead of it leaves contact. When it is at
-  // begin + k step, the k-th pair behind it enters.
+  // When a tooth pair is at end − k step, the k-th pair ahead of this pair leaves contact. When a
+  // tooth pair is at begin + k step, the k-th pair behind this pair enters contact.
   const double ratio = (end - begin) / step;
   const int whole = static_cast<int>(std::floor(ratio));
   std::vector<double> cuts{begin, end};
@@ -92,9 +94,9 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  // If two cuts are closer together than this, relative to the pitch, they count as one. Such
-  // cuts occur if the contact ratio is an integer, because one tooth pair then enters contact
-  // where another pair leaves contact.
+  // Two cuts count as one if their distance, relative to the pitch, is less than this. Such cuts
+  // occur if the contact ratio is an integer, because one tooth pair then enters contact at the
+  // rotation at which another pair leaves contact.
   constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;

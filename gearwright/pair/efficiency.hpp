@@ -20,8 +20,9 @@ struct Efficiency {
   std::optional<double> gear2_drives;
 };
 
-/// M_i: component of w_i in the direction of sliding, averaged over the path and divided by v_n.
-/// The efficiencies are η_12 = (1 + μ M_2)/(1 + μ M_1) and η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
+/// M_i is the component of w_i in the direction of sliding, averaged over the path and divided by
+/// v_n. The efficiencies are η_12 = (1 + μ M_2)/(1 + μ M_1) and η_21 = (1 − μ M_1)/(1 − μ M_2).
+/// [T4.27]
 struct SlidingShares {
   double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed divided by v_n
 };
@@ -46,12 +47,12 @@ Efficiency efficiency(const SlidingShares& shares, double friction);
 
 struct ContactZone {
   double begin, end;  ///< mm of ρ_1
-  int pairs;          ///< number of tooth pairs in contact; 0 in the gap after the end of the path
-                      ///< if the contact ratio is below 1
+  int pairs;          ///< number of tooth pairs in contact; 0 beyond the end of the path if the
+                      ///< contact ratio is below 1
 };
 
-/// The zones of the path begin…end. A zone ends where a neighbouring tooth pair enters or leaves
-/// contact; neighbouring pairs are `step` apart.
+/// Returns the zones of the path begin…end. A zone ends where a neighbouring tooth pair enters or
+/// leaves contact. The distance between neighbouring pairs is `step`.
 ///
 /// Domain    begin ≤ end, step > 0 (contract)
 std::vector<ContactZone> contact_zones(double begin, double end, double step);

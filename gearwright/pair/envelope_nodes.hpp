@@ -1,14 +1,14 @@
-// Divides the envelope that an arc of gear A generates, when A rolls with gear B, into monotone
-// pieces. Along a piece, the distance of the envelope from the axis of B only increases or only
-// decreases. Internal to pair/, for outline_gap. [T2.31]
+// Divides the envelope of an arc into monotone pieces. The arc of gear A generates the envelope
+// when A rolls with gear B. Along a piece, the distance of the envelope from the axis of B either
+// only increases or only decreases. Internal to pair/, for outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
 //   |D|    distance of a point of the envelope from the axis of B
 //   |s|    arm of the arc's normal about the axis of A     r_w   pitch radius of A
 //
-// If |s| > r_w, the normal never passes through the pitch point, and there is no envelope. Where
-// |s| = r_w, both branches of the envelope meet, and |D| varies with the square root of the
-// distance from this point.
+// If |s| > r_w, the normal never passes through the pitch point, and there is no envelope. At
+// points where |s| = r_w, both branches of the envelope meet. Near such a point, |D| varies with
+// the square root of the distance from the point.
 //
 //   Laws  (1) |D| is monotone between two nodes, unless the second node begins a piece
 //         (2) every piece ends at an end of the arc or of the envelope
@@ -23,9 +23,9 @@
 
 namespace gearwright::detail {
 
-/// The zero of f to within `near`, by false position with occasional halving. f has different signs
-/// at lo and hi and need not be smooth. At the returned argument, f does not have the sign of
-/// `against`.
+/// Returns the zero of f to within `near`, by false position with occasional halving. f has
+/// different signs at lo and hi and need not be smooth. The returned argument is on the side of the
+/// zero at which f does not have the sign of `against`.
 template <class F>
 double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
                     double against) {
@@ -51,7 +51,7 @@ double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, 
 /// The envelope at a parameter. Only the signs of the slopes along u are used.
 struct EnvelopePlace {
   double inside, inside_slope;  ///< r_w − |s|, mm; < 0 if there is no envelope
-  double radius, radius_slope;  ///< |D|, mm; computed with |s| = r_w where there is no envelope
+  double radius, radius_slope;  ///< |D|, mm; if there is no envelope, computed with |s| = r_w
 };
 
 struct EnvelopeNode {
@@ -88,7 +88,7 @@ class EnvelopeNodes {
  private:
   static constexpr int kSteps = 8;
   static constexpr double kTurning = 1e-6;  // accuracy of the u at which |s| or |D| is stationary
-  static constexpr double kEnding = 1e-14;  // accuracy of the u at which an envelope ends; small,
+  static constexpr double kEnding = 1e-14;  // accuracy of the u at which an envelope ends; high,
                                             // because |D| varies with the square root of the
                                             // distance from the end
 
@@ -130,7 +130,7 @@ class EnvelopeNodes {
     nodes_[count_++] = node;
   }
 
-  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // a step has at most two parts, with three nodes
+  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // a step has at most two parts with three nodes
                                                 // each
   std::size_t count_ = 0;
   bool joined_ = false;

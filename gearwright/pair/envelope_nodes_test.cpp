@@ -28,8 +28,8 @@ void expect_one_way(const At& at, const std::vector<EnvelopeNode>& nodes) {
   }
 }
 
-// Near its end, the radius of the envelope varies like a square root, and it is stationary shortly
-// before, in the same eighth of the arc.
+// Near the end of the envelope, its radius varies like a square root. Shortly before this end, in
+// the same eighth of the arc, the radius is stationary.
 TEST(EnvelopeNodes, end_where_the_envelope_ends_and_stand_where_it_turns) {
   constexpr double kEnd = 0.62;
   const auto at = [](double u) {

@@ -6,12 +6,12 @@
 //              between the flanks
 //   w          orbit parameter, 0 at the deepest position, where the corner crosses the centre line
 //
-// In the frame of the gear with the fillet, the axis of the mating gear orbits about the axis of
-// this gear. By [T2.26], the corner of the mating gear is at
+// In the frame of the gear with the fillet, the axis of the mating gear moves on a circle about the
+// axis of the gear with the fillet. By [T2.26], the corner of the mating gear is at
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
 //   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its internal gear
 //   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear about its pinion
-// The x axis is the centre line of the space, and the fillet belongs to the tooth that is centred
+// The x axis is the centre line of the space. The fillet belongs to the tooth with the centre line
 // at the polar angle π/z.
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -35,8 +35,8 @@ struct Corner {
   double half_angle;
 };
 
-// The corners at the tip of a tooth. If a tip fillet follows the flank, both ends of the tip fillet
-// are corners.
+// Returns the corners at the tip of a tooth. If a tip fillet follows the flank, both ends of the
+// tip fillet are corners.
 std::vector<Corner> tip_corners(const Gear& mate) {
   if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;
@@ -51,7 +51,7 @@ std::vector<Corner> tip_corners(const Gear& mate) {
     if (arc.name == ArcName::root_land || arc.name == ArcName::tip_land) continue;
     const Corner end{arc.end_point.norm(), std::atan2(arc.end_point.y(), arc.end_point.x())};
     if (arc.name == ArcName::root_fillet) {
-      corners = {end};  // replaced by a root fillet or a flank that follows
+      corners = {end};  // a root fillet or flank that follows replaces these corners
     } else if (arc.name == ArcName::flank) {
       corners = {end};
     } else {
@@ -66,8 +66,8 @@ struct Orbit {
   double side, mate_side;  // σ of the gear with the fillet, and of the gear with the corner
   double half_space;       // π/z
 
-  // The corner in the frame of the tooth beside the space, mirrored to the side y > 0 of that
-  // tooth.
+  // Returns the corner in the frame of the tooth beside the space. The position is mirrored to the
+  // side y > 0 of this tooth.
   Vec2 place(const Corner& c, double w) const {
     const double kappa = c.half_angle + play;
     const double phi = (kappa + side * mate_side * w) / u;
@@ -92,8 +92,8 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
   // At the foot of p, the vector to p is perpendicular to the arc. The distance is therefore exact,
-  // although only half of the digits of u are accurate. The space lies to the left of the arc, or
-  // to the right on a tooth of an internal gear.
+  // although only half of the digits of u are accurate. The space lies to the left of the arc. On a
+  // tooth of an internal gear, the space lies to the right.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   const double least = std::min(at_node, distance(u));
@@ -105,14 +105,14 @@ double signed_distance(const Arc& arc, const Vec2& p) {
       arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
                                      : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
   double angle = std::atan2(p.y(), p.x());
-  // If the gear has one tooth, the angle may exceed π.
+  // For a gear with one tooth, the angle may exceed π.
   if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;
   return angle >= theta ? least : -least;
 }
 
-constexpr double kFarAway = 1e9;  // mm; means that a corner does not reach the fillet
+constexpr double kFarAway = 1e9;  // mm; marks a corner that does not reach the fillet
 
-// The least value of f on [0, 1]; none if every sampled value is kFarAway.
+// Returns the least value of f on [0, 1], or none if every sampled value is kFarAway.
 std::optional<double> min_on(const std::function<double(double)>& f) {
   const auto [lo, hi, least] = least_node(f, 8);
   if (least == kFarAway) return std::nullopt;
@@ -137,13 +137,13 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
     std::optional<double> least;
     for (const Arc& arc : gear.tooth->outline.arcs) {
       if (arc.name != ArcName::root_fillet) continue;
-      // The corner is below the upper end of the arc if cos w is greater than c.
+      // If cos w is greater than c, the corner lies below the upper end of the arc.
       const double r = arc.end_point.norm();
       const double deep = a * a + corner.radius * corner.radius - r * r;
       const double c = side * deep / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // the corner never reaches this depth
       const double w_end = std::acos(std::max(-1.0, c));
-      // On an external gear, only the half of the path on the side of this fillet is examined. In
+      // In an external gear, only the half of the path on the side of this fillet is examined. In
       // an internal gear, the corner of the pinion can reach the fillet on both halves of the path.
       const double from = side < 0.0 ? -w_end : 0.0;
       const auto gap = [&](double s) {
@@ -163,7 +163,8 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
   };
   for (const Corner& corner : tip_corners(mate)) take(clearance_of(corner));
   if (!mate.tooth) return least;
-  // A rounded tip may come closest at a point between its ends.
+  // The point of a rounded tip that is closest to the fillet may lie between the ends of the
+  // rounding.
   for (const Arc& arc : mate.tooth->outline.arcs) {
     if (arc.name != ArcName::tip_fillet) continue;
     const auto at = [&](double u) {

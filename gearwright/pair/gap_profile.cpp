@@ -26,8 +26,8 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// The distance from p to the radius ρ, along the circle of curvature. If this circle does not reach
-// ρ, the result is the Newton step for ρ² along the tangent.
+// Returns the distance from p to the radius ρ, along the circle of curvature. If this circle does
+// not reach ρ, the result is the Newton step for ρ² along the tangent.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;
@@ -73,8 +73,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   const ProfilePlace& above = guesses[static_cast<std::size_t>(cell) + 1];
   double lo = static_cast<double>(cell) / kGuesses;
   double hi = static_cast<double>(cell + 1) / kGuesses;
-  // If s is 0 at a point, the radius near this point grows with the square of the distance along
-  // the arc. The first guess therefore uses a square root there.
+  // Near a point with s = 0, the radius grows with the square of the distance along the arc. The
+  // first guess therefore uses a square root there.
   const double part = std::clamp((rho - below.rho) / (above.rho - below.rho), 0.0, 1.0);
   const double slow = std::abs(below.s) < 0.5 * std::abs(above.s) ? std::sqrt(part) : part;
   double u = lo + (hi - lo) * slow;
@@ -82,8 +82,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
       std::sqrt(std::max(0.0, below.rho * below.rho + above.rho * above.rho -
                                   2 * below.rho * above.rho * std::cos(below.theta - above.theta)));
   double pace = chord / (hi - lo);
-  constexpr double kShort = 2e-6;  // greatest length of the last step, relative to the radius of
-                                   // curvature and to ρ
+  constexpr double kShort = 2e-6;  // limit for the last step, relative to the radius of curvature
+                                   // and to ρ
   constexpr int kMost = 60;        // greatest number of steps; bisection alone would need fewer
   for (int i = 0;; ++i) {
     const CurvePoint at_u = arc->at(u);
@@ -98,8 +98,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     }
     const double next = u + way / pace;
     const double kept = next > lo && next < hi ? next : 0.5 * (lo + hi);
-    // If the arc runs along a circle about the axis, the distance to a neighbouring radius is
-    // inaccurate. If two radii differ only in the last digit, this distance may be NaN.
+    // Along a circle about the axis, the distance to a neighbouring radius is inaccurate. If two
+    // radii differ only in the last digit, this distance may be NaN.
     if (i == kMost || kept == u) return {u, moved(p, at_u.curvature, 0.0, rho)};
     const Vec2 there = arc->curve->point(arc->begin + kept * (arc->end - arc->begin));
     const double run = (there - at_u.point).norm() / std::abs(kept - u);
@@ -123,12 +123,12 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // A smaller angle between two arcs does not count as a corner. It is a rounding error, or the
-  // corner is so blunt that contact of the arcs is equivalent to contact of the corner.
+  // If the angle between two arcs is smaller than this, there is no corner. The angle is then a
+  // rounding error, or contact of the arcs is practically the same as contact of the blunt corner.
   constexpr double kSmooth = 1e-7;  // rad
-  // The mating gear cannot reach a concave corner. If the angle is near half a turn, the corner
-  // may be a cusp, at which rounding determines the sign of the angle. Such a corner is
-  // included, because an additional corner does no harm.
+  // The mating gear cannot reach a concave corner. At an angle near half a turn, the corner may be
+  // a cusp, and rounding determines the sign of the angle. Such a corner is included, because an
+  // additional corner does no harm.
   constexpr double kCusp = 2.5;  // rad
   const double inward = -side();
   for (std::size_t i = 0; i + 1 < outline.arcs.size(); ++i) {

@@ -1,5 +1,5 @@
-// The outline of half a tooth as a function of the radius, and its corners, for contact with
-// another gear. Internal to pair/, for the outlines of outline_gap.
+// Describes the outline of half a tooth as a function of the radius, and its corners. outline_gap
+// uses this description to compute contact with another gear. Internal to pair/.
 //
 //   ρ, θ   radius and polar angle of a point W of the half tooth, θ from the tooth's centre line
 //   τ, k   direction of the outline's tangent and its curvature, from root to tip
@@ -22,8 +22,8 @@ struct ProfilePlace {
 /// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName name;  ///< the arc that begins at the corner or, if this arc is a land, the arc that ends
-                 ///< at the corner
+  ArcName name;  ///< the arc that begins at the corner; if this arc is a land, the arc that ends at
+                 ///< the corner
 };
 
 /// An arc that is not a land. Along the arc, the distance from the axis of the gear changes.
@@ -36,8 +36,8 @@ struct ProfileArc {
   mutable std::vector<ProfilePlace> guesses = {};
 
   ProfilePlace at(double u) const;
-  /// The point of the arc at a radius. If the radius lies beyond an end of the arc, this end is
-  /// used.
+  /// Returns the point of the arc at a radius. If the radius lies beyond an end of the arc, the
+  /// function returns this end.
   ///
   /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle
   ///           of curvature and is shorter than 2e-6 of the radius of this circle
@@ -64,7 +64,8 @@ class GapProfile {
   double root_radius() const { return root_radius_; }
   const std::vector<ProfileArc>& arcs() const { return arcs_; }
   const std::vector<ProfileCorner>& corners() const { return corners_; }
-  /// The arc that has points at that radius; null beyond root or tip.
+  /// Returns the arc that has points at this radius. Returns null if the radius lies beyond root or
+  /// tip.
   const ProfileArc* arc_at(double rho) const;
 
  private:

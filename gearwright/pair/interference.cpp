@@ -20,7 +20,7 @@ double noise(const InvolutePair& p) {
 }
 
 // Reports that a tip reaches beyond the flank of the mating gear. If undercut has removed this part
-// of the flank, contact is lost there. Otherwise the tip interferes.
+// of the flank, contact is lost there. If not, the tip interferes.
 void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
@@ -39,9 +39,9 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
            -amount, where, gear)});
 }
 
-// For a crossed internal pair, returns the amount by which the clearance between a tip and the
-// mating roots is less than on the centre line. The clearance is least at an end of the region in
-// which both faces overlap. [T4.37]
+// For a crossed internal pair, returns the reduction of the clearance between a tip and the mating
+// roots, compared with the clearance on the centre line. The clearance is least at an end of the
+// region in which both faces overlap. [T4.37]
 double nearer_at_ends(const InvolutePair& p, int tip) {
   if (!p.crossed_inside()) return 0.0;
   const bool ring = tip == 2;
@@ -52,10 +52,10 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
   const double apart = ring ? -p.center_distance : p.center_distance;
   const double cosine = std::cos(p.shaft_angle.rad());
   const double sine = std::abs(std::sin(p.shaft_angle.rad()));
-  // Distance of the tip cylinder from the mating axis at the angle ψ from the mesh. For the tip of
-  // the pinion, which reaches outwards, the distance is negated, so that the least value always
-  // belongs to the closest point. The sign of y does not matter, because the pair is symmetric
-  // about the centre line.
+  // Returns the distance of the tip cylinder from the mating axis at the angle ψ from the mesh. For
+  // the tip of the pinion, which points outwards, the distance is negated. The least value then
+  // always belongs to the point closest to the mating roots. The sign of y does not matter, because
+  // the pair is symmetric about the centre line.
   const auto distance = [&](double psi) {
     const double y = r * std::sin(psi);
     const double lo = std::max(-half, (-half_mate + y * sine) / cosine);
@@ -72,8 +72,8 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 
 }  // namespace
 
-// Computes for each gear the diameter down to which the mating tip touches it, and the radial
-// distance of this diameter from the start of the usable flank. [T2.25]
+// Computes, for each gear, the diameter down to which the mating tip touches the gear, and the
+// radial distance of this diameter from the start of the usable flank. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   const auto contact_root = contact_root_radii(p.input, p.mesh);
@@ -132,7 +132,7 @@ void find_internal_margins(ParallelPair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  // The radius at which the flank of the internal gear ends; a tip rounding is not included.
+  // The radius at which the flank of the internal gear ends, without a tip rounding.
   const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
@@ -144,7 +144,7 @@ void find_internal_margins(ParallelPair& p) {
     margins.involute = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
   }
   const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
-  // If the tip circles do not intersect, no tip can collide with a mating tip.
+  // If the tip circles do not intersect, no tip collides with a mating tip.
   if (r_a2 < a + r_a1) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;
@@ -169,7 +169,7 @@ void find_internal_margins(ParallelPair& p) {
          "gear."});
   }
   if (margins.trimming && margins.trimming->rad() < 0.0) {
-    // Trimming interference concerns assembly only. Mounted gears do not collide.
+    // Trimming interference prevents only assembly. It causes no collision of mounted gears.
     p.warnings.push_back({WarningCode::trimming,
                           "Trimming interference: the pinion cannot be mounted radially with a "
                           "tooth space on the centre line. Mount the pinion axially.",

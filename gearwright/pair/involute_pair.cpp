@@ -20,7 +20,7 @@ void warn(InvolutePair& p, WarningCode code, std::string message, int gear = 0) 
   p.warnings.push_back({code, std::move(message), gear});
 }
 
-// Below this shaft angle, the user most likely intended parallel axes.
+// If the shaft angle is smaller than this, the user most likely intended parallel axes.
 constexpr double kNearlyParallel = 1.0;  // degrees
 
 void warn_about_axes(CrossedPair& p) {
@@ -112,12 +112,12 @@ void warn_about_collisions(InvolutePair& p) {
   for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
-// Least plausible centre distance, relative to the sum of the base radii. The centre distance of a
-// backlash-free pair exceeds this sum.
+// Least plausible centre distance, relative to the sum of the base radii. Without backlash, the
+// centre distance exceeds this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
-// Checks that the pinion lies inside the internal gear, and that L > 0. If L > 0, the flanks of
-// the pinion are more curved than the flanks of the internal gear. [T4.34]
+// Checks that the pinion lies inside the internal gear, and that L > 0. If L > 0, the curvature of
+// the pinion's flanks exceeds the curvature of the internal gear's flanks. [T4.34]
 std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
   const BasePair<double>& gears = p.input.gears;
   const auto& sides = rack.sides;
@@ -176,7 +176,7 @@ std::optional<double> backlash_free_distance(const CrossedPair& p) {
   return a > 0.0 ? std::optional(a) : std::nullopt;
 }
 
-// Sets the quantities that only this kind of pair has.
+// Sets the quantities that only pairs on parallel axes have.
 void find_own(ParallelPair& p) {
   if (p.gears[1].internal()) detail::find_internal_margins(p);
   detail::find_fillet_clearance(p);
@@ -190,11 +190,11 @@ void find_own(CrossedPair& p) {
   p.face_widths = face_widths(p.mesh);
 }
 
-// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth grows
-// with the square of the distance from the contact, and at the distance b/2 it equals the needed
-// lead crowning. The contact lies up to f'/2 from the middle of the face, so no point of the face
-// is farther than (b + f')/2 from the contact. Higher orders add less than half of the second-order
-// depth.
+// Returns the depth to which the flanks overlap beside the line of action, mm. To second order, the
+// depth grows with the square of the distance from the contact. At the distance b/2, the depth
+// equals the needed lead crowning. The contact lies up to f'/2 from the middle of the face, so no
+// point of the face is farther than (b + f')/2 from the contact. Higher orders add less than half
+// of the second-order depth.
 double saddle_depth(const ParallelPair&) { return 0.0; }
 double saddle_depth(const CrossedPair& p) {
   constexpr double kHigherOrders = 1.5;
@@ -309,8 +309,8 @@ Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
                  -mesh.sigma * lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
   }
   // The pitch point is at x = +r_w1 for an external pair and at −r_w1 for an internal pair. Gear 1
-  // turns clockwise, so the normal of the leading flanks is (sin α, −cos α), or the opposite for an
-  // internal pair.
+  // turns clockwise, so the normal of the leading flanks is (sin α, −cos α). For an internal pair,
+  // it has the opposite direction.
   const double alpha = side.transverse_angle;
   return {mesh.sigma * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
                             -from_pitch_point * std::cos(alpha), 0.0)};

@@ -1,5 +1,5 @@
-// A mounted pair of involute gears: the members common to all axes, and the two kinds of pair, on
-// parallel and on crossed axes. pair/mesh.hpp explains the symbols.
+// A mounted pair of involute gears. The file defines the members common to all pairs, and the two
+// kinds of pair, on parallel and on crossed axes. pair/mesh.hpp explains the symbols.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ namespace gearwright {
 /// A reason why parts of the pair collide.
 struct Interference {
   WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
-                     ///< the cause has no code of its own. A tip that reaches an undercut does not
-                     ///< collide, and the pair then has the warning `contact_lost_to_undercut`.
+                     ///< the cause has no code of its own. If a tip meets an undercut, there is no
+                     ///< collision, but the warning `contact_lost_to_undercut`
   int gear;          ///< the gear whose root or tip is affected
-  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; a negative value is the
-                                       ///< depth of the interference
+  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if negative, the depth of
+                                       ///< the interference
   std::string message;                 ///< one sentence
 };
 
@@ -37,7 +37,7 @@ struct CrossedPlace {
 /// A range of positions without backlash. α_wn increases from `lo` to `hi`.
 struct CrossedPlaces {
   CrossedPlace lo, hi;
-  bool limit;  ///< true if a helix angle reaches 90° at hi, where no gear exists
+  bool limit;  ///< true if a helix angle is 90° at `hi`; no gear exists there
 };
 
 /// The members that all involute pairs have, on parallel and on crossed axes.
@@ -50,14 +50,13 @@ struct InvolutePair : MountedGears {
   double extended_center_distance;    ///< mm
   std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
   std::array<std::optional<double>, 2>
-      contact_root_diameter;  ///< d_Nf  mm; none if contact passes the base tangent point
+      contact_root_diameter;  ///< d_Nf  mm; none if contact extends beyond the base tangent point
   SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the basic racks
+  double tip_shortening;  ///< k m_n  mm, ≤ 0; restores the tip clearance of the basic racks
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
                                          ///< and contact is continuous
-  std::vector<Interference>
-      interference;  ///< the findings that explain the overlap, or all findings if no overlap was
-  ///< computed
+  /// The findings that explain the overlap, or all findings if no overlap was computed.
+  std::vector<Interference> interference;
   bool flanks_meet() const;      ///< true if the path has a length and both gears have a
                                  ///< usable flank
   double path_length() const;    ///< g_α, or AE on crossed axes  mm; 0 without contact
@@ -71,11 +70,12 @@ struct InvolutePair : MountedGears {
   std::array<double, 2> working_pitch_diameter() const {  ///< d_w  mm
     return {2 * mesh.rack.sides[0].pitch_radius, 2 * mesh.rack.sides[1].pitch_radius};
   }
-  /// The point on the line of action of the leading flanks that belongs to the given ρ_1. On
-  /// parallel axes, the point lies in the section z = 0. [T1.6], [T4.20]
+  /// Returns the point for ρ_1 on the line of action of the leading flanks. On parallel axes, the
+  /// point lies in the section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
-  /// The corresponding point for the trailing flanks. Their line of action is the line of
-  /// action of the leading flanks after a half turn about the centre line. [T1.7]
+  /// Returns the corresponding point for the trailing flanks. A half turn about the centre line
+  /// moves the line of action of the leading flanks to the line of action of the trailing flanks.
+  /// [T1.7]
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
@@ -102,41 +102,43 @@ struct CrossedPair : InvolutePair {
                                                      ///< for the teeth as cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< positions with AE ≥ p_bn; only for
                                                      ///< external pairs
-  /// For each gear, the lead crowning, mm, that is necessary if only this gear is crowned; none for
-  /// external pairs, or if crowning this gear alone is not sufficient. See pair/saddle_gap.hpp
+  /// For each gear, the lead crowning, mm, that is necessary if only this gear is crowned. None for
+  /// external pairs, or if crowning only this gear is not sufficient. See pair/saddle_gap.hpp
   std::array<std::optional<double>, 2> needed_crowning{};
 };
 
-/// The input of mesh_of for the two gears at this position.
+/// Returns the input of mesh_of() for the two gears at this position.
 MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairPlace& place);
 
-/// The backlash-free position at the transverse angle α of limiting_gear(). [T4.14]
+/// Returns the backlash-free position at which limiting_gear() has the transverse angle α. [T4.14]
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
-/// The positions at which the contact ratio of a crossed external pair is at least 1, if there are
-/// any. None for internal pairs, because their L is not a convex function. [T4.23]
+/// Returns the positions at which the contact ratio of a crossed external pair is at least 1.
+/// Returns none if there are no such positions. Also returns none for internal pairs, because their
+/// L is not a convex function. [T4.23]
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
 
-/// The position of two involute gears, with absent values of `spec` completed.
+/// Returns the position of two involute gears. Values that are absent in `spec` are computed.
 ///
 /// Domain    both are involute gears (contract)
 /// Errors    as check_partners and complete_place; `gearN.profile_shift` if a gear does not exist,
 ///           because the cutter cuts off its teeth or passes through its axis
 Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const PairSpec& spec);
 
-/// Mounts two involute gears. Faults of the mesh are results, not errors.
+/// Mounts two involute gears. Faults of the mesh, such as interference, do not cause an error but
+/// are part of the result.
 ///
-/// Domain    a position from involute_place, without a shaft angle for mount_parallel and with a
-///           shaft angle for mount_crossed (contract)
+/// Domain    a position from involute_place(); it has no shaft angle for mount_parallel() and has a
+///           shaft angle for mount_crossed() (contract)
 /// Errors    `pair.center_distance` if there is no working pressure angle
 Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
                                     std::optional<double> friction = {});
 Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& place,
                                   std::optional<double> friction = {});
 
-/// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm. If it is < 0, its magnitude is the depth to which the corner cuts into the
-/// fillet. The path is computed with the flanks in contact on the side of this fillet.
+/// Returns the least distance between the root fillet of gear `which` (1, 2) and the path of the
+/// mating gear's tip corner, mm. If the distance is < 0, its magnitude is the depth to which the
+/// corner cuts into the fillet. On the path, the flanks on the side of this fillet are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, and the foot point is exact to rounding
 /// None      if the gear is an internal gear without a cutter, or if no corner reaches the depth of

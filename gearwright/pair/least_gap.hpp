@@ -1,13 +1,14 @@
-// Searches for the least value of a smooth function between two parameters. Parts in which the
-// value cannot be less than the least value known so far are skipped. Internal to pair/, for one
-// family of touches of outline_gap.
+// Searches for the least value of a smooth function between two parameters. A part is skipped if
+// its values cannot be less than the least value known so far. Internal to pair/, for one family of
+// touches of outline_gap.
 //
 //   g   gap at the parameter t        H   function that is zero where g is stationary
 //
-// g is evaluated at even steps. Between two neighbouring samples, g is assumed to lie below their
-// chord by at most half of the second difference. A parabola lies below its chord by an eighth of
-// the second difference. A cell that could contain a value below the least known value is halved
-// or, if H changes its sign there, divided at H = 0.
+// g is evaluated at even steps. Between two neighbouring samples, the search assumes that g lies
+// below the chord by at most half of the second difference. For comparison, a parabola lies below
+// its chord by an eighth of the second difference. If a cell may contain a value below the least
+// known value, the cell is halved. If H changes its sign in the cell, the cell is divided at H = 0
+// instead.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct GapSample {
 };
 
 /// A Sampler has two members. GapSample sample(double t) evaluates the gap and records the least
-/// value. double known() returns the value above which gaps are not needed.
+/// value. double known() returns a limit; gaps above this limit are not needed.
 template <class Sampler>
 class LeastGap {
  public:
@@ -94,8 +95,8 @@ class LeastGap {
   }
 
   // Solves H = 0 by the Illinois method of false position, with halving if convergence is slow. g
-  // is stationary at the solution, so half of the digits of t are sufficient. If H jumps, the
-  // search ends at the jump.
+  // is stationary at the solution, so half of the digits of t are sufficient. If H jumps across 0,
+  // the search ends at the jump.
   Asked solved(double t_1, const GapSample& one, double t_2, const GapSample& two) {
     constexpr double kEnough = 1e-8;  // relative to the whole cell
     constexpr int kSteps = 60;

@@ -1,4 +1,4 @@
-// Two involute gears in mesh at any shaft angle: all quantities with a closed form.
+// Computes all quantities with a closed form of two involute gears in mesh, at any shaft angle.
 //
 //   n    common normal of the leading flanks, along which the contact moves
 //   ρ_1  curvature radius of flank 1 in its transverse section, the parameter of the line of action
@@ -7,11 +7,11 @@
 //   X    distance of the pitch planes
 //   z_L  offset of the line of action along the teeth of the rack, mm
 //   s_i  axial position of the contact on gear i, mm, measured from the common perpendicular of the
-//        axes, which meets the middle of the face
+//        axes. The common perpendicular passes through the middle of the face
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X follows from
-// a. On parallel axes, α_n follows from a, and X is 0.
+// The α_n of the rack and the distance X describe every pair. On crossed axes, α_n follows from Σ,
+// and X follows from a. On parallel axes, α_n follows from a, and X is 0.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ struct Backlash {
   T normal_base;                     ///< j_bn  along the common normal; < 0 if the teeth overlap
   T normal;                          ///< j_n = j_bn/cos α_wn
   std::array<T, 2> circumferential;  ///< j_wt  at the working pitch circles
-  std::array<T, 2> rotation;         ///< rad, with the mating gear held
+  std::array<T, 2> rotation;         ///< rad, of each gear while the other gear is held
 };
 
 template <class T>
@@ -62,7 +62,7 @@ struct Mesh {
   T path_ratio;   ///< path_length/step: ε_α on parallel axes, AE/p_bn on crossed axes
   T overlap_ratio;                   ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
-                                     ///< axes, to the faces; no contact if begin ≥ end
+                                     ///< axes, also to the faces; no contact if begin ≥ end
   T true_ratio;                      ///< contact ratio of the clipped path, ≥ 0, without ε_β
   Backlash<T> backlash;
 
@@ -91,8 +91,8 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-// Clips the path to the usable flanks. The flank of each gear begins at its form point. On an
-// internal gear, the form point has the greatest radius of the flank. [T2.19]
+// Clips the path to the usable flanks. The flank of each gear begins at the form point. On an
+// internal gear, the form point is the point of the flank with the greatest radius. [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   const auto start = [&](int i) {
@@ -101,8 +101,8 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   };
   m.rho1_true_begin = leaf::usable_begin(m.rho1_A, start(0));
   m.rho1_true_end = m.rho1_E;
-  // If flank 2 has no form point, it ends at its base circle on an external gear, and it has no
-  // known end on an internal gear.
+  // If flank 2 has no form point, the end of the flank depends on the gear. On an external gear, it
+  // is the base circle. On an internal gear, the end is unknown.
   if (in.root_form_radius[1] || m.sigma > T(0)) {
     const T rho2 = start(1) / m.base_cosine_ratio;
     m.rho1_true_end =
@@ -137,9 +137,9 @@ template <class T>
 Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
-  // 2 X sin α_n − Q, computed from the amount by which a exceeds the backlash-free centre distance.
-  // Near β_w = 90°, the pitch radii in X grow without bound and cancel, but a remains finite.
-  // [T4.17]; on parallel axes [T2.24]
+  // 2 X sin α_n − Q, computed from the difference of a and the backlash-free centre distance. Near
+  // β_w = 90°, the pitch radii in X grow without bound and cancel, but a remains finite. [T4.17];
+  // on parallel axes [T2.24]
   const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
   j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
   j.normal = j.normal_base / m.rack.angles.cos_alpha;
@@ -221,8 +221,8 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
 }
 
 /// Two face widths for each gear on crossed axes, mm. A face of the width f contains the line of
-/// action of one flank. A face of the width f' contains the lines of action of both flanks if its
-/// middle is on the common perpendicular.
+/// action of one flank. A face of the width f' contains the lines of action of both flanks, if the
+/// middle of the face is on the common perpendicular.
 ///
 /// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]
 template <class T>
@@ -246,7 +246,7 @@ FaceWidths<T> face_widths(const Mesh<T>& mesh) {
 }
 
 /// Speed of the contact over each flank, across the teeth and along them, in mm per radian of gear
-/// 1. On parallel axes, it is the speed in the transverse section.
+/// 1. On parallel axes, the speed refers to the transverse section.
 ///
 /// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)), with + on
 ///           gear 1 and −σ on gear 2; [T4.24]
@@ -280,12 +280,13 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
   return w;
 }
 
-constexpr double kNoSpeed = 1e-12;  // of the sum of both speeds; less is a rounding error
+constexpr double kNoSpeed = 1e-12;  // relative to the sum of both speeds; smaller speeds are
+                                    // rounding errors
 
-/// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm that the contact moves
-/// over the flank. On parallel axes, ζ is < 0 on the flank that slides backward relative to the
-/// contact, and ζ is empty at a base tangent point and beyond it. On crossed axes, ζ is the ratio
-/// of the magnitudes, so ζ ≥ 0.
+/// Specific sliding (ζ_1, ζ_2) at ρ_1: the sliding distance of the flanks per mm that the contact
+/// moves over the flank. On parallel axes, ζ is < 0 on the flank that slides backward relative to
+/// the contact, and ζ is empty at a base tangent point and beyond it. On crossed axes, ζ is the
+/// ratio of the magnitudes of the speeds, so ζ ≥ 0.
 ///
 /// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22];
 ///           crossed: ζ_i = |w_1 − w_2|/|w_i|, [T4.25]
@@ -300,7 +301,7 @@ SpecificSliding<T> specific_sliding(const MeshInput<T>& in, const Mesh<T>& mesh,
   const FlankSpeeds<T> w = flank_speeds(in, mesh, rho1);
   SpecificSliding<T> s;
   if (!mesh.crossed) {
-    // At a base tangent point, rounding leaves a speed of either sign instead of 0.
+    // At a base tangent point, the speed is 0, but rounding may give it either sign.
     const T least = T(kNoSpeed) * (w.across[0] + w.across[1]);
     if (!(w.across[0] > least) || !(w.across[1] > least)) return s;
     s.zeta_1 = leaf::sliding_of(w.across[0], w.across[1]);

@@ -22,7 +22,7 @@ Pose<Housing, Gear1> MountedGears::pose_1() const {
 }
 
 Pose<Housing, Gear2> MountedGears::pose_2() const {
-  // Space 0, half a pitch from tooth 0, points to −x, where the mesh is.
+  // Space 0 is half a pitch from tooth 0 and points to −x, where the mesh is.
   const int z2 = std::abs(gears[1].spec.teeth);
   const SinCos t = sincos_turn(z2 - 1, 2LL * z2);
   const double s = std::sin(axis_angle().rad());

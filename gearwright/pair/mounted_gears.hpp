@@ -1,4 +1,4 @@
-// Two mounted gears: the data that pairs of all kinds of teeth have in common.
+// Two mounted gears, with the data that pairs of all kinds of teeth have in common.
 //
 // Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of
 // gear 2 lie on the centre line, at the mesh. The housing frame is described in
@@ -25,15 +25,15 @@ struct MountedGears {
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
   std::optional<double> speed_rpm{};       ///< n_1  1/min, if given
   /// Places at which the bodies would overlap in the middle of the play, the deepest first. None if
-  /// not computed (unequal leads, or an internal gear with an unknown cutter). On crossed axes,
-  /// only tips are compared with the mating gear
+  /// the overlap was not computed, because the leads differ or the cutter of an internal gear is
+  /// unknown. On crossed axes, only tips are compared with the mating gear
   std::optional<std::vector<Collision>> overlap{};
-  /// Contacts outside the flanks without overlap. During these contacts, the transmission ratio is
-  /// not constant.
+  /// Contacts outside the flanks without overlap. While such parts are in contact, the transmission
+  /// ratio is not constant.
   std::vector<Collision> beyond_flank{};
-  /// The angle through which gear 2 can turn without a collision. It does not exceed the play of
-  /// the flanks, and is < 0 if the bodies overlap in every position. None if not computed, or if a
-  /// tip lies in a root
+  /// The angle through which gear 2 can turn without a collision. It is at most the play of the
+  /// flanks, and it is < 0 if the bodies overlap in every position. None if it was not computed, or
+  /// if a tip extends below the mating root circle
   std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 
@@ -42,9 +42,9 @@ struct MountedGears {
   /// of action, and its tips are closest to the roots at the ends of the faces. [T4.35], [T4.37]
   bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
-  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical
-  /// gears, it includes both halves and the gap between them, which is the wider gap if the
-  /// gears have different gaps.
+  /// Returns the whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical
+  /// gears, the result includes both halves and the gap. If the gaps of the gears differ, the wider
+  /// gap is used.
   double whole_face(double face) const;
   /// σ Σ. Axis 2 has the direction (0, sin σΣ, cos σΣ). [T1.8]
   Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0

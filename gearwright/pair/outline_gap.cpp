@@ -1,5 +1,5 @@
-// Searches the families of touches between two outlines for the least gap. Each family has one
-// parameter. [T2.29]…[T2.33]
+// Searches for the least gap between two outlines. The possible touches are divided into families,
+// and each family has one parameter. [T2.29]…[T2.33]
 //
 //   A, B   the two gears; A moves in the frame of B, and either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
@@ -80,9 +80,9 @@ struct Motion {
     double side;   ///< sign of ψ
     double lost;   ///< greatest possible rounding error of the value
   };
-  // If the outline of B runs along a circle about its axis, an error in the last digit of the
-  // radius can change the angle by more than the gap. For such a touch, the greatest gap that is
-  // possible within this error is recorded.
+  // If the outline of B runs along a circle about the axis of B, an error in the last digit of the
+  // radius can change the angle by more than the gap. For such a touch, the function records the
+  // greatest gap that is possible within this error.
   Gap gap_of(const ProfilePlace& b, double psi) const {
     constexpr double kRounding = std::numeric_limits<double>::epsilon();
     const double reduced = std::remainder(psi, 2 * half_pitch);
@@ -95,7 +95,7 @@ struct Motion {
     return first_moves ? i * OutlineGap::kNames + j : j * OutlineGap::kNames + i;
   }
 
-  /// The gap, as a turn of B, above which a value is not needed.
+  /// Returns a limit, as a turn of B. Gaps above this limit are not needed.
   double known(int e) const {
     const auto& touch = table.at(e);
     return (touch ? std::min(touch->gap, table.limit) : table.limit) / unit;
@@ -129,9 +129,9 @@ struct Motion {
   }
 };
 
-/// The gap between an arc of A and an arc of B. Each point of the arc of A is examined in the
-/// positions of A in which the normal at this point passes through the pitch point. There are two
-/// such positions, one for each branch. [T2.31]
+/// The gap between an arc of A and an arc of B. For each point of the arc of A, the normal passes
+/// through the pitch point in two positions of A, one for each branch. The gap is computed in these
+/// positions. [T2.31]
 class ArcFamily {
  public:
   ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)
@@ -148,8 +148,8 @@ class ArcFamily {
     const Position at = position(p);
     // With respect to arc length, s′ = 1 + k q and τ′ = k, where k is the curvature here. The slope
     // of the envelope is infinite where both branches meet, so it is multiplied by |sin(τ + φ)|,
-    // which is 0 there. It is also multiplied by `scale`, because k is infinite where an involute
-    // begins. Along an involute, s′ is 0 within rounding.
+    // which is 0 there. k is infinite where an involute begins, so the slope is also multiplied by
+    // `scale`. Along an involute, s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
         scale > 0.0 ? p.curvature * scale : std::copysign(1.0 / m_.pitch_radius, p.curvature);
@@ -170,7 +170,7 @@ class ArcFamily {
     const ProfilePlace b = asked_->at_radius(at.d.norm());
     const double phi = std::atan2(at.across, at.along) - p.tau;
     const auto gap = m_.gap_of(b, std::atan2(at.d.y(), at.d.x()) + m_.kappa * phi);
-    // The envelope is parallel to the tangent of A's outline.
+    // The envelope is parallel to the tangent of the outline of A.
     const double radial = m_.epsilon * (at.along * at.d.x() + at.across * at.d.y());
     const double around = m_.epsilon * (at.across * at.d.x() - at.along * at.d.y());
     m_.keep(entry_, gap, std::abs(b.s), phi, at.w, {arc_.arc->name, false},
@@ -214,8 +214,7 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // u at which the straight line through the values of excess() at both ends of the arc is
-      // 0.
+      // The u at which a straight line through the values of excess() at both ends of the arc is 0.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }
@@ -246,8 +245,8 @@ class CornerFamily {
   }
 
  private:
-  // 1 − cos w when the corner passes through the radius ρ of B. w is the angle between the corner
-  // and the centre line.
+  // Returns 1 − cos w for the position in which the corner passes through the radius ρ of B. w is
+  // the angle between the corner and the centre line.
   double excess(double rho) const {
     return side_ * (rho - deepest_) * (rho + deepest_) / (2 * m_.a * corner_.rho);
   }
@@ -282,7 +281,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double lo = std::min(b.rho_root, b.rho_tip);
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
-    // The next arc of B continues where this one ends, so a small error of the crossing has no
+    // The next arc of B continues where this arc ends, so a small error of the crossing has no
     // effect.
     constexpr double kNear = 1e-7;  // accuracy of u
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
@@ -307,8 +306,8 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
         if (last) end_at(last->u);
         if (meets(two.radius)) begin_at(two.u);
       } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
-        // The envelope enters the range of radii of b at one end, or passes through the whole
-        // range.
+        // The envelope enters the range of radii of b from below or above, or passes through the
+        // whole range.
         if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
           begin_at(crossing(one, two, one.radius < lo ? lo : hi));
         if (!meets(two.radius) && inside) end_at(crossing(one, two, two.radius < lo ? lo : hi));

@@ -1,6 +1,6 @@
-// The play of two finished outlines on parallel axes. At every rotation of the pair, gear 2 is
-// turned from the middle of its play until a point of one tooth touches the other gear. In this
-// way, every part of the outlines that projects too far is found.
+// Computes the play of two finished outlines on parallel axes. At every rotation of the pair, gear
+// 2 is turned from the middle of its play until a point of one tooth touches the other gear. This
+// method finds every part of the outlines that projects too far.
 //
 //   φ      rotation of the pair            a    centre distance, mm
 //   g      gap, as the turn of gear 2 that closes it, rad; < 0 if the outlines overlap
@@ -32,9 +32,9 @@ struct OutlineTouch {
   double height = 0.0;      ///< position along axis 1, mm; 0 on parallel axes
   std::array<OutlinePlace, 2> places{};
 
-  /// The distance between the two places, mm along the common normal, to first order. Gear 2 is
-  /// turned by `play` from the middle of its play towards the touch. If the distance is < 0, its
-  /// magnitude is the depth of the overlap.
+  /// Returns the distance between the two places, mm along the common normal, to first order. Gear
+  /// 2 has been turned by `play` from the middle of its play towards the touch. If the distance is
+  /// < 0, its magnitude is the depth of the overlap.
   double distance(double play = 0.0) const { return (gap - play) * arm; }
 };
 
@@ -44,24 +44,24 @@ struct OutlineGap {
   std::array<Row, kNames> touches;  ///< least gap for each pair of arc names, [gear 1][gear 2]
 
   const std::optional<OutlineTouch>& of(ArcName arc_1, ArcName arc_2) const;
-  /// The touch with the least gap; none if the gears do not reach each other. This gap is half the
-  /// true play.
+  /// Returns the touch with the least gap, or none if the gears do not reach each other. Twice this
+  /// gap is the true play.
   std::optional<OutlineTouch> least() const;
-  /// The touch with the least gap, without the touches of a flank with a flank.
+  /// Returns the touch with the least gap, except touches of a flank with a flank.
   std::optional<OutlineTouch> least_beyond_flanks() const;
   int evaluations = 0;  ///< number of evaluated gaps, for performance counts
 };
 
-/// The gaps of two outlines, by the names of the arcs.
+/// Returns the gaps of two outlines for each pair of arc names.
 ///
 /// Formula   [T2.29]…[T2.33]
 /// Units     mm, rad
 /// Domain    outlines with arcs; gear 1 is external, and an internal gear is gear 2 with more teeth
 ///           (contract). A tip below the mating root circle gives no gap; the tip clearance is < 0
 ///           in this case
-/// Accuracy  every gap is computed for two points of the outlines, so except for rounding it is
-///           never less than the true least gap. If the least gap of two arcs is less than `limit`,
-///           the result exceeds the least gap by at most 1e-12 rad. This requires that, between
+/// Accuracy  every gap is computed for two points of the outlines. Except for rounding, the result
+///           is therefore not less than the true least gap. If the least gap of two arcs is less
+///           than `limit`, the result exceeds it by at most 1e-12 rad. This requires that, between
 ///           neighbouring samples (nine per family), the gap falls below the chord by at most half
 ///           of the second difference. If the least gap exceeds `limit`, the result is the least
 ///           evaluated value

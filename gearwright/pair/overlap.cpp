@@ -79,7 +79,7 @@ std::string part(const OutlineTouch& touch, int gear) {
                      gear);
 }
 
-// The gear that touches with an arc of this name; 0 if neither gear does.
+// Returns the gear that touches with an arc of this name, or 0 if neither gear does.
 int gear_with(const OutlineTouch& touch, ArcName arc) {
   for (int i : {0, 1}) {
     if (touch.places[static_cast<std::size_t>(i)].arc == arc) return i + 1;
@@ -98,7 +98,7 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   if (const int gear = gear_with(touch, ArcName::tip_fillet);
       gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
     return {CollisionCause::tip_bulge, gear};
-  // The tip corner of a pinion can cut into a tooth of an internal gear while the corner enters or
+  // The tip corner of a pinion can cut into a tooth of an internal gear when the corner enters or
   // leaves the tooth space.
   if (touch.places[0].corner)
     return p.gears[1].internal() ? Cause{CollisionCause::trochoid, 2}
@@ -107,8 +107,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// The sentence of a message about a tip that projects beyond its involute; empty if the collision
-// has another cause.
+// Returns the sentence of a message about a tip that projects beyond the involute. It is empty if
+// the collision has another cause.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -143,9 +143,9 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                   part(touch, 1), part(touch, 2), length_text(early), at(touch), bulge(p, cause))};
 }
 
-// The collision of a tip that reaches below the root circle of the mating gear. The tip is deepest
-// on the centre line. In a crossed internal pair, it is deepest at an end of a face, and the result
-// has no position.
+// Returns the collision of a tip that extends below the root circle of the mating gear. Its depth
+// is greatest on the centre line. In a crossed internal pair, the depth is greatest at an end of a
+// face, and the result has no position.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -192,9 +192,9 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// Matches the overlaps with the findings of interference.hpp. For an overlap that no finding
-// explains, a finding is added. A finding that explains no overlap becomes a contact beyond the
-// flank if it is based on a circle, and is dropped otherwise.
+// Matches the overlaps with the findings of interference.hpp. If no finding explains an overlap, a
+// finding is added. If a finding explains no overlap, it is removed. A removed finding that is
+// based on a circle becomes a contact beyond the flank.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -227,8 +227,8 @@ void explain(InvolutePair& p) {
   deepest_first(collisions);
 }
 
-// The touches that may have a smaller gap than the flanks. On parallel axes, the result also
-// contains the touches of a flank with a flank.
+// Returns the touches whose gap may be smaller than the gap of the flanks. On parallel axes, the
+// result also contains the touches of a flank with a flank.
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
   if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;
@@ -282,10 +282,10 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
 void find_overlap(InvolutePair& p, double saddle) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
-  // If a tip lies in a root, the outlines are not compared, and all findings remain.
+  // If a tip extends below a root circle, the outlines are not compared, and all findings remain.
   if (p.free_play) explain(p);
-  // If the flanks overlap beside the line of action, the free play is less than computed here, so
-  // it is left empty.
+  // If the flanks overlap beside the line of action, the actual free play is less than the computed
+  // one, so it is left empty.
   if (saddle > 0.0) p.free_play.reset();
 }
 

@@ -25,8 +25,8 @@ const char* to_string(PairKind kind) {
   return "";
 }
 
-// These constructors are not inlined, because g++ 12 would warn about uninitialised members of the
-// other kinds.
+// These constructors must not be inlined. Otherwise g++ 12 warns about uninitialised members of the
+// other kinds of pair.
 [[gnu::noinline]] Pair::Pair(ParallelPair pair) : of_(std::move(pair)) {}
 [[gnu::noinline]] Pair::Pair(CrossedPair pair) : of_(std::move(pair)) {}
 [[gnu::noinline]] Pair::Pair(ArcPair pair) : of_(std::move(pair)) {}

@@ -19,16 +19,16 @@ namespace gearwright {
 enum class PairKind { parallel_external, parallel_internal, crossed };
 const char* to_string(PairKind kind);
 
-/// A pair of any kind. This class has the members that all kinds have in common. The members of one
-/// kind are in ParallelPair, CrossedPair or ArcPair.
+/// A pair of any kind. This class has the members that all kinds have in common. ParallelPair,
+/// CrossedPair and ArcPair have the members of one kind.
 class Pair {
  public:
   Pair(ParallelPair pair);
   Pair(CrossedPair pair);
   Pair(ArcPair pair);
 
-  /// The pair as one of the kinds, or as their common base InvolutePair; null if the pair is of
-  /// another kind.
+  /// Returns the pair as a `Kind`, which may also be the common base InvolutePair. Returns null if
+  /// the pair is of another kind.
   template <class Kind>
   const Kind* as() const {
     return visit([](const auto& pair) -> const Kind* {
@@ -69,10 +69,10 @@ class Pair {
   std::variant<ParallelPair, CrossedPair, ArcPair> of_;
 };
 
-/// Mounts any two gears. If `spec` has neither a centre distance nor a shaft angle, and the helix
-/// angles do not permit parallel axes, the result is a crossed pair, without a warning. This
-/// applies to two helical gears of the same hand: on parallel axes, gear 2 has the opposite helix
-/// angle.
+/// Mounts any two gears. If `spec` gives neither a centre distance nor a shaft angle, and the helix
+/// angles do not permit parallel axes, the result is a crossed pair, without a warning. An example
+/// is two helical gears of the same hand, because gears on parallel axes need opposite helix
+/// angles.
 ///
 /// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` if one
 ///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if crossed
@@ -88,8 +88,8 @@ Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   return *pair->template as<Kind>();
 }
 
-// The backlash of a pair of involute or circular-arc gears, in four forms, and its part without
-// collisions.
+// The backlash of a pair of involute or circular-arc gears, in four forms, and the part of the
+// backlash that is free of collisions.
 
 struct PairBacklash {
   double normal_base;                        ///< j_bn  mm, along the common normal
@@ -99,7 +99,7 @@ struct PairBacklash {
   std::optional<std::array<Angle, 2>> free;  ///< the part of the rotation without collisions
 };
 
-/// The backlash of a pair; none for arcs without a point of contact.
+/// Returns the backlash of a pair, or none for circular arcs without a point of contact.
 std::optional<PairBacklash> backlash_of(const Pair& pair);
 
 }  // namespace gearwright

@@ -14,12 +14,12 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Base pitches and base helix angles count as equal within 1e-9. The rounding of values in degrees
-// or mm causes less deviation than this, and a different helix angle causes more.
+// Base pitches and base helix angles count as equal if they differ by at most 1e-9. The rounding of
+// values in degrees or mm causes smaller differences. A different helix angle causes greater ones.
 constexpr double kSamePitch = 1e-9;
 
-// Above this angle, the pitch cylinder has hundreds of times the radius of the base cylinder, and
-// no tooth reaches it.
+// At helix angles above this limit, the radius of the pitch cylinder is hundreds of times the base
+// radius, and no tooth reaches the pitch cylinder.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
 constexpr double kAtEnd = 1e-9;  // rad, rounding error of an angle at the end of its range
@@ -41,8 +41,8 @@ constexpr Hands kInternal{"of the same hand",
                           "internal gear, where right-hand angles are positive",
                           "shifts"};
 
-// The error of a shaft angle that is out of reach. `rule` contains kReach, whose two
-// placeholders are replaced by the ends of the range.
+// Returns the error for a shaft angle outside its range. `rule` contains kReach, and the ends of
+// the range replace the two placeholders of kReach.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
                  {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
@@ -85,7 +85,8 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
       miss < kAtEnd
           ? "is the end of the possible range, at which a working helix angle would be 90°"
           : fmt::format("is outside the possible range by {:.6g}°", deg(miss));
-  // If gear 2 has this helix angle, the sum of the reference helix angles is the shaft angle.
+  // With this helix angle of gear 2, the sum of the reference helix angles is equal to the shaft
+  // angle.
   const double helix = side_of(gears) * (deg(sigma) - gear_1.helix_angle.deg());
   const std::string remedy =
       std::abs(helix) < kMaxWorkingHelix
@@ -143,8 +144,8 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   }
   const bool crossing = shaft_angle && shaft_angle->rad() != 0.0;
   if (z2 < 0 && !crossing && !axes_are_parallel(gears)) {
-    // The flanks of a crossed internal pair have clearance only with crowned leads. The axes of an
-    // internal pair therefore cross only if the user gives a shaft angle.
+    // The flanks of a crossed internal pair have clearance only if the leads are crowned. For an
+    // internal pair, crossed axes are therefore used only if the user gives a shaft angle.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
         fmt::format("the axes of this internal pair would cross at {:.6g}°; for parallel axes, an "

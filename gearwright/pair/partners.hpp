@@ -1,4 +1,4 @@
-// Conditions under which two gears can mesh, and the possible positions of their axes.
+// Checks the conditions under which two gears can mesh, and computes the positions of their axes.
 //
 // Two gears mesh if their normal base pitches agree. The axes are parallel if the base helix
 // angles are equal and opposite or, in an internal pair, equal. Otherwise the axes cross.
@@ -21,13 +21,13 @@ BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const Cylindri
 /// True if |β_b1 + σ β_b2| ≤ 1e-9 rad. The axes are then parallel for every rack between the gears.
 bool axes_are_parallel(const BasePair<double>& gears);
 
-/// The reason why two gears cannot mesh at any centre distance; empty if they can. `shaft_angle` is
-/// empty if the user gives no shaft angle.
+/// Returns the reason why two gears cannot mesh at any centre distance, or none if they can.
+/// `shaft_angle` is empty if the user gives no shaft angle.
 ///
 /// Errors    `gear2.normal_module` if the base pitches differ; `gear2.helix_angle` if the axes of
 ///           an internal pair would cross although no shaft angle is given; `gear1.teeth` or
-///           `gear2.teeth` if an internal pair is impossible; `pair.shaft_angle` if it is out of
-///           reach. Each message gives the deviation and a value that fits
+///           `gear2.teeth` if an internal pair is impossible; `pair.shaft_angle` if the shaft angle
+///           is outside its range. Each message gives the deviation and a value that fits
 std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,
                                     const std::optional<Angle>& shaft_angle);
 
@@ -35,8 +35,9 @@ std::optional<Error> check_partners(const CylindricalSpec& gear_1, const Cylindr
 struct PairSpec {
   std::optional<double> center_distance = {};  ///< a  mm; by default the backlash-free distance, or
                                                ///< a_d for circular-arc teeth
-  std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; by default 0 if a distance is
-  ///< given, otherwise the result of complete_place
+  /// Σ  of crossed axes. If it is absent and a distance is given, Σ is 0. If both are absent,
+  /// complete_place() computes Σ.
+  std::optional<Angle> shaft_angle = {};
   std::optional<double> friction = {};   ///< μ, for the efficiency
   std::optional<double> speed_rpm = {};  ///< n_1  1/min, of gear 1
 };
@@ -47,9 +48,9 @@ struct PairPlace {
   std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; none for parallel axes
 };
 
-/// Completes the position of a pair. By default, Σ is 0 if the base helix angles permit parallel
-/// axes. Otherwise it is the shaft angle at the least centre distance. The default for a is the
-/// distance at which the `nominal` teeth (without allowances) have no backlash.
+/// Completes the position of a pair. The default of Σ is 0 if the base helix angles permit parallel
+/// axes. Otherwise, the default of Σ is the shaft angle at the least centre distance. The default
+/// of a is the distance at which the `nominal` teeth (without allowances) have no backlash.
 ///
 /// Domain    check_partners returns no error for the gears of `nominal` (contract)
 /// Errors    `pair.shaft_angle`, `profile_shift` if the teeth have no such position

@@ -15,16 +15,15 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoLength = 1e-9;  // modules: a shorter length is a rounding error
-// There is no warning if the tip of the rack reaches at most this far, in modules, below the
-// start of the pinion's usable flank. The limit allows for the fillet radii of ISO 53, which
-// are rounded to two digits (0.38 for 0.37993).
+constexpr double kNoLength = 1e-9;  // modules; shorter lengths are rounding errors
+// Limit, in modules, for the distance by which the tip of the rack extends below the start of the
+// pinion's usable flank. Up to this limit, there is no warning. The fillet radii of ISO 53 are
+// rounded to two digits (0.38 for 0.37993), and the limit allows for this rounding.
 constexpr double kRoundedFillet = 1e-4;
 
-constexpr double kNoArc = 1e-6;  // modules: a shorter arc is below the resolution of any machine
+constexpr double kNoArc = 1e-6;  // modules; shorter arcs are below the resolution of any machine
 
-// If the number of teeth of a rack is not given, the rack has at least this many in pictures and
-// files.
+// The least number of teeth of a rack in pictures and files if the user gives no number of teeth.
 constexpr int kFewestTeeth = 15;
 // The default thickness of the body below the roots of a rack, modules. ISO 6336-3 reduces the
 // bending strength if the rim is thinner than 1.2 tooth depths, which are 2.7 modules for the basic
@@ -33,14 +32,15 @@ constexpr double kRimModules = 3.0;
 
 // The smallest thickness between the roots and the back, mm.
 constexpr double kLeastBack = 1e-3;
-// The limits of the face width and of the height, modules; those of the face width of a gear.
+// Limits of the face width and of the height, modules. A gear has the same limits of the face
+// width.
 constexpr double kLeastWidth = 1e-3, kMostWidth = 1e5;
 
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
 double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
 
-// The fillet radius of the basic rack or, if it does not fit, the greatest radius that fits into
-// the space of the rack. [T2.45]
+// Returns the fillet radius of the basic rack. If this radius does not fit, returns the greatest
+// radius that fits into the space of the rack. [T2.45]
 double fillet_that_fits(const Gear& pinion, const RackGeometry& r) {
   const double space = (r.normal_pitch - r.thickness) / 2 - r.dedendum * std::tan(alpha_n(pinion));
   const double full = space * std::cos(alpha_n(pinion)) / (1 - std::sin(alpha_n(pinion)));
@@ -80,8 +80,8 @@ void clip(RackPair& p) {
   p.true_recess = std::min(p.recess, below / std::sin(alpha_t(p.pinion)));
 }
 
-// Over the flank of the pinion, the contact moves with the speed ρ_1 per radian of rotation. Over
-// the flank of the rack, it moves with the constant speed r sin α_t per radian. [T2.46]
+// Per radian of rotation of the pinion, the contact moves by ρ_1 over the flank of the pinion, and
+// by the constant length r sin α_t over the flank of the rack. [T2.46]
 SlidingPath sliding_path(const RackPair& p) {
   const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
   const double begin = reach - p.true_approach, end = reach + p.true_recess;
@@ -163,7 +163,7 @@ void find_faults(RackPair& p) {
   }
 }
 
-// The error of a body that is too thin, or too large for any machine.
+// Returns the error for a body that is too thin, or too large for any machine.
 std::optional<Error> size_error(const RackGeometry& rack) {
   const double m = rack.normal_module, most = kMostWidth * m, b = rack.face_width;
   if (!(b >= kLeastWidth * m && b <= most))
@@ -181,7 +181,7 @@ std::optional<Error> size_error(const RackGeometry& rack) {
   return std::nullopt;
 }
 
-// The error of a thickness allowance with which a land would have a length < 0.
+// Returns the error for a thickness allowance that leads to a land with a negative length.
 std::optional<Error> land_error(const RackGeometry& rack) {
   const double slope = 2 * std::tan(rack.normal_pressure_angle.rad());
   const double least = rack.addendum * slope - rack.normal_pitch / 2;
@@ -208,9 +208,9 @@ Pose<Housing, Gear1> RackPair::pose_1() const {
 }
 
 Pose<Housing, Gear2> RackPair::pose_2() const {
-  // A half turn about z makes the teeth of the rack point towards axis 1. If the number of
-  // teeth is odd, a tooth is in the middle of the rack. The rack is then displaced by half a
-  // pitch, so that a space is there.
+  // A half turn about z makes the teeth of the rack point towards axis 1. If the number of teeth is
+  // odd, a tooth is in the middle of the rack. The rack is then displaced by half a pitch, so that
+  // a space moves to this position.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear().diagonal() << -1.0, -1.0, 1.0;
   const bool odd = rack.teeth % 2 == 1;
@@ -304,7 +304,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
 
 namespace {
 
-// Appends arcs, each of which begins at the end of the preceding one.
+// Builds an outline. Each arc begins at the end of the preceding arc.
 class OutlineOfArcs {
  public:
   OutlineOfArcs(int teeth, const Vec2& begin) : end_(begin) { outline_.teeth = teeth; }
@@ -338,7 +338,7 @@ Result<Outline> rack_outline(const RackGeometry& rack) {
   const double n_c = half + (rho - x_c * std::sin(alpha)) / std::cos(alpha);
   const double tip = half - rack.addendum * tan_n;
   OutlineOfArcs arcs(rack.teeth, {-rack.dedendum, k * middle});
-  // A full radius leaves no root land, and a pointed tooth has no tip land.
+  // With a full fillet radius there is no root land, and with a pointed tooth there is no tip land.
   if (middle - n_c > none) arcs.line(ArcName::root_land, {-rack.dedendum, k * n_c});
   if (rho > none)
     arcs.curve(ArcName::root_fillet, std::make_shared<StretchedCircle>(Vec2(x_c, k * n_c), rho, k),

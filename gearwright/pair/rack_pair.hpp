@@ -7,8 +7,8 @@
 //   g_a, g_f  lengths of approach and recess   mm       p_t, p_bt   transverse pitches   mm
 //   ζ         specific sliding                    theory: docs/theory/02-involute-and-pair.md, 2.10
 //
-// The pitch point is on the reference circle at every H, so the working pressure angle is α_t. The
-// pinion drives.
+// The pitch point is on the reference circle at every H, so the working pressure angle is always
+// α_t. The pinion drives.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ namespace gearwright {
 
 /// A rack as a part. The teeth have the profile of the basic rack of the pinion.
 struct RackBar {
-  std::optional<int> teeth{};            ///< n; see RackGeometry::teeth if it is absent
+  std::optional<int> teeth{};            ///< n; if absent, see RackGeometry::teeth
   std::optional<double> face_width{};    ///< b    mm; by default the face width of the pinion
-  std::optional<double> height{};        ///< mm, from the back of the rack to the datum line;
-                                         ///< by default 3 modules more than the dedendum
+  std::optional<double> height{};        ///< mm, from the back of the rack to the datum line; by
+                                         ///< default dedendum + 3 modules
   double thickness_allowance = 0.0;      ///< E_sn mm at the datum line, < 0 thins the teeth
   std::optional<double> pin_diameter{};  ///< D_M mm of the usual measuring pin; see usual_pin()
 };
@@ -36,7 +36,8 @@ struct RackBar {
 /// The geometry of a rack, from its pinion and its RackBar.
 struct RackGeometry {
   RackBar bar;
-  int teeth;                    ///< n; by default odd, at least 15, and at least z of the pinion
+  int teeth;                    ///< n; the default is odd, at least 15, and at least z of the
+                                ///< pinion
   double height;                ///< mm, from the back of the rack to the datum line
   double normal_module;         ///< m_n  mm
   Angle helix_angle;            ///< β    with the hand opposite to the pinion
@@ -61,39 +62,39 @@ struct RackPair {
   double backlash_free_center_distance;  ///< H_0  mm, of the teeth as cut
   double travel_per_turn;                ///< π m_t z  mm
   double approach,
-      recess;  ///< g_a, g_f  mm, up to the tips; < 0 if a tip does not reach the pitch point
+      recess;  ///< g_a, g_f  mm, up to the tips; < 0 if a tip is short of the pitch point
   double true_approach, true_recess;  ///< approach and recess, clipped to the usable flanks
   double overlap_ratio;               ///< ε_β over the common face
   double base_pitch;                  ///< p_bt  mm
   std::array<double, 2>
       tip_clearance;  ///< c    mm: pinion tip to rack root, rack tip to pinion root
   std::optional<double>
-      contact_root_diameter;  ///< d_Nf of the pinion  mm; none if the rack tip reaches past the
-                              ///< base tangent point
+      contact_root_diameter;  ///< d_Nf of the pinion  mm; none if contact with the rack tip extends
+                              ///< beyond the base tangent point
   std::optional<double> form_clearance;  ///< (d_Nf − d_Ff)/2  mm
   std::optional<double> speed_rpm;       ///< n_1  1/min
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
   std::vector<Warning> warnings;
 
   double mounting_distance() const { return center_distance + rack.height; }  ///< mm
-  /// Poses of pinion and rack in the housing at rotation 0; the comment at rack_outline() defines
-  /// the frame of the rack. Tooth 0 of the pinion points into the tooth space of the rack that is
-  /// nearest to the middle of the rack.
+  /// Poses of pinion and rack in the housing at rotation 0. The comment at rack_outline() defines
+  /// the frame of the rack. Tooth 0 of the pinion points into the space of the rack that is nearest
+  /// to the middle of the rack.
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
   double true_contact_ratio() const;        ///< ε_α on the usable flanks
   /// The parts of true_contact_ratio() before and after the pitch point.
   std::array<double, 2> approach_and_recess() const;
-  /// g at the start of contact, mm. If the pinion is undercut, contact starts at the start of its
-  /// usable flank, otherwise at A.
+  /// Returns g at the start of contact, mm. Contact starts at A. If the pinion is undercut, contact
+  /// starts at the start of its usable flank.
   double contact_start() const;
   double normal_backlash() const;  ///< j_n  mm
   StatedBacklash stated_backlash() const;
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack
-  /// ζ of pinion and rack for a contact at g. ζ of the pinion is empty at the base tangent point
-  /// and beyond it.
+  /// Returns ζ of pinion and rack for a contact at g. ζ of the pinion is empty at the base tangent
+  /// point and beyond this point.
   std::array<std::optional<double>, 2> specific_sliding(double g) const;
 };
 
@@ -101,9 +102,9 @@ struct RackPair {
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41] and [T2.46]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0
-/// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, those of
-///           Gear::why_not() if the pinion has no tooth; `gear2.face_width` outside the limits of a
-///           gear; `gear2.height` if the back is not below the roots or beyond 100 000 modules;
+/// Errors    `gear1.teeth` for an internal gear; `gear1.rack` for circular arcs; if the pinion has
+///           no tooth, the errors of Gear::why_not(); `gear2.face_width` outside the limits of a
+///           gear; `gear2.height` if the back is not below the roots or is beyond 100 000 modules;
 ///           `gear2.thickness_allowance` if the rack has no tooth or no space
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
                             std::optional<double> center_distance = {},

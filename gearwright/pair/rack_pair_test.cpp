@@ -24,8 +24,9 @@ namespace {
 
 constexpr double kFriction = 0.1;
 
-// The radius of ISO53-B fits below the tip of the mating rack. The rounded radius of ISO53-A ends
-// 3e-5 modules above it and would clip the path of contact of the rack, but not that of a wheel.
+// The fillet of ISO53-B ends below the tip of the mating rack. The rounded fillet of ISO53-A ends
+// 3e-5 modules above this tip. It would clip the path of contact with the rack, but not with a
+// wheel.
 Gear pinion(int teeth, double m, double x, double beta, double allowance = 0.0) {
   return testing::taken(make_gear({.teeth = teeth,
                                    .normal_module = m,

@@ -59,7 +59,7 @@ bool clears_beside_line(const MeshInput<double>& in, const Mesh<double>& mesh,
            s.sin2;
   };
   // The left-hand side of the inequality in clear_at is a parabola in λ. Its least value is at the
-  // vertex, or at an end of the path if the vertex lies beyond the path.
+  // vertex. If the vertex lies beyond the path, the least value is at an end of the path.
   const double vertex = both > 0.0 ? -s.L / 2 - (K_1 - K_2) * s.sin2 / (2 * both) : s.begin;
   return clear_at(s.begin) && clear_at(s.end) && clear_at(std::clamp(vertex, s.begin, s.end));
 }

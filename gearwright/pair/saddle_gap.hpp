@@ -1,6 +1,6 @@
-// The gap beside the line of action of an internal pair on crossed axes. The flanks touch on the
-// line of action, but the gap around a point of contact has the shape of a saddle. On two sides of
-// the point the flanks overlap, unless a lead is crowned.
+// Computes the gap beside the line of action of an internal pair on crossed axes. The flanks touch
+// on the line of action, and the gap around a point of contact has the shape of a saddle. Without
+// crowned leads, the flanks therefore overlap on two sides of the point.
 //
 //   η     angle between the generators (straight lines) of the two flanks, in the tangent plane
 //   λ_i   distance of the contact from base tangent point i along the line of action,
@@ -16,9 +16,9 @@
 
 namespace gearwright {
 
-/// For each gear, the least lead crowning, mm, with which the flanks clear each other beside every
-/// point of the path if only this gear is crowned. None if crowning this gear alone is not
-/// sufficient.
+/// Returns, for each gear, the least lead crowning, mm, if only this gear is crowned. With this
+/// crowning, the flanks do not overlap beside any point of the path. Returns none for a gear if
+/// crowning only this gear is not sufficient.
 ///
 /// Formula   [T4.36], at the end of the path at which the result is greater
 /// Domain    a crossed internal pair with L > 0 (contract)

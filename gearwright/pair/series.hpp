@@ -1,6 +1,6 @@
-// Approximations of the least centre distance of two gears, for manual calculation: power series in
-// the sum of the shifts, and virtual spur gears in place of helical gears. Elsewhere the program
-// solves the involute equation (pair/working_angles.hpp).
+// Approximates the least centre distance of two gears, for manual calculation. The approximations
+// are power series in the sum of the shifts, and virtual spur gears in place of helical gears.
+// Other parts of the program solve the involute equation instead (pair/working_angles.hpp).
 //
 //   α        pressure angle, in the normal section, of the rack that describes both gears, rad
 //   β_i, x_i helix angle on the reference cylinder, and shift including the allowance
@@ -13,7 +13,7 @@
 //            and the distance between their pitch planes is X = m_n (x_1 + x_2)
 //                                              theory: docs/theory/05-approximations.md
 //
-// With signed tooth numbers, internal pairs (parallel axes) need no separate formula.
+// With signed numbers of teeth, the same formulas apply to internal pairs (on parallel axes).
 #pragma once
 
 #include <array>
@@ -27,8 +27,8 @@
 
 namespace gearwright {
 
-/// Two gears that are described by the same rack, so their modules and pressure angles are equal.
-/// An internal gear is always the second gear.
+/// Two gears with a common rack, and therefore with equal modules and pressure angles. An internal
+/// gear is always the second gear.
 template <class T>
 using ReferencePair = std::array<ReferenceInput<T>, 2>;
 
@@ -71,8 +71,9 @@ struct MinDistanceSeries {
     return alpha + delta;
   }
 
-  /// The least distance, a_0 − m_n |z_1′ + z_2′| L²/4. If `factors` is 2, the correction has a
-  /// second factor. The error is O(L³) for one factor and O(L⁴) for two. [T5.24]…[T5.26]
+  /// Returns the least distance, a_0 − m_n |z_1′ + z_2′| L²/4. If `factors` is 2, the correction
+  /// m_n |z_1′ + z_2′| L²/4 has a second factor. The error is O(L³) for one factor and O(L⁴) for
+  /// two. [T5.24]…[T5.26]
   T center_distance(int factors) const {
     using std::tan;
     GW_EXPECTS(factors == 1 || factors == 2);
@@ -82,8 +83,8 @@ struct MinDistanceSeries {
     return rack_center_distance + change;
   }
 
-  /// The helix angle with which gear 0 or 1 rolls with a rack of the angle α + Δ, computed with 1,
-  /// 2 or 3 terms in Δ. [T5.27]
+  /// Returns the helix angle of gear 0 or 1 on the pitch cylinder that rolls with a rack of the
+  /// angle α + Δ. The result is computed with 1, 2 or 3 terms in Δ. [T5.27]
   T helix_angle(int gear, const T& delta, int terms) const {
     using std::sin;
     using std::tan;
@@ -100,16 +101,16 @@ struct MinDistanceSeries {
     return helix[static_cast<unsigned>(gear)] + tan_b * sum;
   }
 
-  /// The shaft angle of two gears that roll with a rack of the angle α + Δ, to first order in Δ.
-  /// For Δ = L, the result is the shaft angle at the least distance, with an error of O(L²).
+  /// Returns the shaft angle of two gears that roll with a rack of the angle α + Δ, to first order
+  /// in Δ. For Δ = L, the result is the shaft angle at the least distance, with an error of O(L²).
   /// [T5.28]
   T shaft_angle(const T& delta) const {
     using std::tan;
     return rack_shaft_angle + tan(alpha) * (tan(helix[0]) + side * tan(helix[1])) * delta;
   }
 
-  /// α_n of the virtual spur pair, in closed form, with an error of O(L²); none if the virtual pair
-  /// has no backlash-free position. [T5.29]
+  /// Returns α_n of the virtual spur pair, in closed form, with an error of O(L²). Returns none if
+  /// the virtual pair has no backlash-free position. [T5.29]
   std::optional<T> virtual_pressure_angle() const {
     using std::tan;
     const T t = tan(alpha);
@@ -118,8 +119,8 @@ struct MinDistanceSeries {
     return inverse_involute(inv);
   }
 
-  /// α_n of the virtual spur pair with a correction of second order. The remaining error is O(L³).
-  /// [T5.30]
+  /// Returns α_n of the virtual spur pair with a correction of second order. The remaining error is
+  /// O(L³). [T5.30]
   std::optional<T> corrected_virtual_pressure_angle() const {
     using std::tan;
     const auto plain = virtual_pressure_angle();
@@ -163,7 +164,7 @@ MinDistanceSeries<T> min_distance_series(const ReferencePair<T>& pair) {
     s.M4 += s.weight[i] * P * P;
   }
   s.L = T(2) * shifts / (total * t);
-  // Because z of an internal gear is negative, r_2 + σ r_1 is σ times the sum of m_n z/(2 cos β).
+  // z of an internal gear is negative, so r_2 + σ r_1 is σ times the sum of m_n z/(2 cos β).
   const T radii = T(g1.teeth) / cos(g1.helix_angle) + T(g2.teeth) / cos(g2.helix_angle);
   s.rack_center_distance = s.side * s.module * (radii / T(2) + shifts);
   s.rack_shaft_angle = g1.helix_angle + s.side * g2.helix_angle;

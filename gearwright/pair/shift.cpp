@@ -20,7 +20,7 @@ Error no_working_angle(double a, double least, bool external, double a_d) {
                   external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
 }
 
-// Divides the sum into two shifts. A given shift is not changed.
+// Divides the sum into two shifts. A shift that the user gives is not changed.
 ShiftSolution divided(const ShiftProblem& p, double sum, double a) {
   ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), a};
   if (p.x1) {
@@ -42,8 +42,8 @@ Result<ShiftSolution> complete_crossed(const ShiftProblem& p) {
   a_d += side * p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1].rad()));
   const double given = p.x1.value_or(0.0) + p.x2.value_or(0.0);
   if (!p.center_distance) {
-    // The shifts alone determine only the extended centre distance. The backlash-free distance
-    // depends on the teeth.
+    // The shifts alone determine the extended centre distance. The backlash-free distance also
+    // depends on the teeth, so it cannot be computed here.
     GW_EXPECTS(p.mounting == Mounting::extended);
     return ShiftSolution{p.x1.value_or(0.0), p.x2.value_or(0.0),
                          a_d + side * p.normal_module * given};

@@ -1,4 +1,5 @@
-// Computes profile shifts and centre distance from each other.
+// Computes the centre distance from the profile shifts, or the profile shifts from the centre
+// distance.
 //
 //   Σx = x1 + x2   σ = +1 external, −1 internal   a, a_d   actual and reference centre distance, mm
 //   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)
@@ -24,15 +25,17 @@ namespace gearwright {
 
 enum class Mounting { tight, extended };
 
-/// Greatest centre distance, relative to the sum (internal: difference) of the base radii. At this
-/// distance, the working pressure angle is 89.4°, and no tooth reaches the other gear.
+/// Greatest centre distance, relative to the sum of the base radii (internal pairs: the
+/// difference). At this distance, the working pressure angle is 89.4°, and no tooth reaches the
+/// other gear.
 inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
   int z1 = 0, z2 = 0;                     ///< internal gear: z2 < 0
   double normal_module = 0.0;             ///< m_n  mm
   Angle normal_pressure_angle{};          ///< α_n
-  std::array<Angle, 2> helix_angle{};     ///< β    signed; parallel axes use the first
+  std::array<Angle, 2> helix_angle{};     ///< β, signed; on parallel axes, only the first angle is
+                                          ///< used
   std::optional<Angle> shaft_angle;       ///< Σ    of crossed axes; none for parallel axes
   std::optional<double> x1, x2;           ///< computed if absent
   std::optional<double> center_distance;  ///< a    mm
@@ -51,7 +54,8 @@ T reference_center_distance(int z1, int z2, const T& normal_module, const T& cos
   return normal_module * T(std::abs(z1 + z2)) / (T(2) * cos_beta);
 }
 
-/// inv α_wt of the backlash-free mesh of nominal teeth; < 0 if there is no such mesh. [T2.16]
+/// Returns inv α_wt of the backlash-free mesh of nominal teeth. It is < 0 if there is no such mesh.
+/// [T2.16]
 template <class T>
 T nominal_working_involute(int z1, int z2, const T& alpha_n, const T& alpha_t, const T& sum_x) {
   using std::tan;
@@ -79,7 +83,7 @@ T extended_center_distance(int z1, int z2, const T& normal_module, const T& cos_
   return T(a_d + side_of<T>(z1 + z2) * (normal_module * sum_x));
 }
 
-/// The Σx with which there is no backlash at the centre distance a, on parallel axes.
+/// Returns the Σx that gives no backlash at the centre distance a, on parallel axes.
 ///
 /// Domain    a ≥ a_d cos α_t (contract)
 template <class T>
@@ -97,14 +101,14 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
   return (involute(alpha_wt) - involute(alpha_t)) * T(z1 + z2) / (T(2) * tan(alpha_n));
 }
 
-/// The Σx with which there is no backlash at the centre distance a, on crossed axes.
+/// Returns the Σx that gives no backlash at the centre distance a, on crossed axes.
 ///
 /// Formula   Σx = (2 X sin α_wn − Q_0) π/(2 p_bn tan α_n), Q_0 the excess at Σx = 0; [T4.28]
 /// Domain    as angles_at_shaft_angle (contract)
 double crossed_shift_sum(const ShiftProblem& problem, double a);
 
-/// Divides a sum of shifts into x1 and x2. In an external pair, λ determines how the sum is
-/// divided. In an internal pair, the pinion gets the whole sum. [T2.18a]
+/// Divides a sum of shifts into x1 and x2. In an external pair, the division depends on λ. In an
+/// internal pair, the pinion gets the whole sum. [T2.18a]
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
 /// Computes the absent values of the problem (docs/spec.md, Shift and centre distance).
 ///

@@ -1,4 +1,4 @@
-// The backlash that messages and verdicts state, and the size below which it counts as none.
+// The backlash given in messages and verdicts, and the limit below which a backlash counts as none.
 #pragma once
 
 #include <algorithm>

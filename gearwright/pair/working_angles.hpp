@@ -1,4 +1,4 @@
-// The common rack of a pair of gears: one unknown, α_n, and the condition that determines it.
+// Computes α_n, the only unknown of the common rack of a pair of gears, from one condition.
 //
 //   Σ given (crossed axes)     closed form                                             [T4.13]
 //   a given (parallel axes)    closed form, because Σ is 0 for every α_n               [T4.12]
@@ -11,8 +11,8 @@
 //   Q, K, X, u, τ   as in pair/common_rack.hpp     L   distance of the base tangent points along n
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// The equations are solved for α instead of α_n, because all quantities are smooth functions of
-// α over 0 < α ≤ π/2, even where β_g reaches 90°. They are not smooth functions of α_n there.
+// The equations are solved for α instead of α_n. All quantities are smooth functions of α over 0 <
+// α ≤ π/2, even where β_g is 90°. As functions of α_n, they are not smooth there.
 #pragma once
 
 #include <cmath>
@@ -24,14 +24,14 @@
 
 namespace gearwright {
 
-/// The gear g, whose helix angle reaches 90° first when α_n increases.
+/// Returns the gear g. If α_n increases, the helix angle of this gear is the first to reach 90°.
 template <class T>
 int limiting_gear(const BasePair<T>& gears) {
   using std::abs;
   return abs(gears[1].helix_angle) > abs(gears[0].helix_angle) ? 1 : 0;
 }
 
-/// The angles at which gear g has the transverse pressure angle α.
+/// Returns the angles of the rack with which gear g has the transverse pressure angle α.
 ///
 /// Formula   sin α_n = C_g sin α, u_g = C_g cos α, u_o² = u_g² + S_g² − S_o², C = cos β_b; [T4.14]
 template <class T>
@@ -73,8 +73,8 @@ RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) 
   return angles_at_transverse(gears, T(sqrt((a - sum) * (a + sum)) / a), T(sum / a));
 }
 
-/// The range of shaft angles that a crossed pair can have, rad. Both ends have the same sign and
-/// are excluded.
+/// The range of shaft angles that a crossed pair can have, rad. The ends have the same sign and do
+/// not belong to the range.
 template <class T>
 struct ShaftAngleRange {
   T from;  ///< β_b1 + σ β_b2, the limit for α_n → 0
@@ -84,8 +84,8 @@ struct ShaftAngleRange {
   }
 };
 
-/// The range of shaft angles of two gears. If it is empty (from = to), the axes can only be
-/// parallel.
+/// Returns the range of shaft angles of two gears. If from = to, the range is empty, and the axes
+/// can only be parallel.
 ///
 /// Formula   cos Σ_max = −σ S_o/S_g; [T4.13]
 template <class T>
@@ -100,7 +100,8 @@ ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
   return {least, least > T(0) ? greatest : T(-greatest)};
 }
 
-/// The only rack with which both gears roll on crossed axes at the shaft angle Σ.
+/// Returns the rack with which both gears roll on crossed axes at the shaft angle Σ. There is only
+/// one.
 ///
 /// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise,
 ///           cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos Σ)/sin² Σ,
@@ -133,8 +134,8 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 
 namespace detail {
 
-/// The α at which both gears of an internal pair have the same number z/u³ of virtual teeth in the
-/// normal section. Beyond this α, Q decreases, and L at X = 0 is negative. [T4.38]
+/// Returns the α at which both gears of an internal pair have the same number z/u³ of virtual teeth
+/// in the normal section. At a greater α, Q decreases, and L at X = 0 is negative. [T4.38]
 ///
 /// Domain    the pinion has the greater |β_b|
 template <class T>
@@ -154,12 +155,13 @@ T transverse_angle_of_equal_virtual_teeth(const BasePair<T>& gears) {
 
 }  // namespace detail
 
-/// The α at which X = 0. On crossed axes, this α belongs to the least centre distance, and on
-/// parallel axes to the backlash-free position. None if the teeth are too thin (internal pairs: too
-/// thick).
+/// Returns the α at which X = 0. On crossed axes, this is the α of the least centre distance. On
+/// parallel axes, it is the α of the backlash-free position. Returns none if the teeth are too
+/// thin, or, in an internal pair, too thick.
 ///
-/// Formula   Q(α) = 0; [T4.15], [T5.17]. For equal |β_b|, inv α = K/Σ τ d_b cos β_b without
-///           iteration; [T2.20]. For internal pairs, the root at which Q increases; [T4.38]
+/// Formula   Q(α) = 0; [T4.15], [T5.17]. If |β_b| is equal for both gears, inv α = K/Σ τ d_b cos
+///           β_b without iteration; [T2.20]. For internal pairs, the result is the root at which Q
+///           increases; [T4.38]
 /// Accuracy  ledger rows `least_distance.*`
 template <class T>
 std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
@@ -206,9 +208,9 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
   return root.x;
 }
 
-/// The α at which the pitch radii of an external pair add up to the centre distance `a`, so that
-/// X = 0. If the teeth have no backlash at this α, `a` is the least centre distance of the pair.
-/// None if `a` does not exceed the sum of the base radii.
+/// Returns the α at which the pitch radii of an external pair add up to the centre distance `a`, so
+/// that X = 0. If the teeth have no backlash at this α, `a` is the least centre distance of the
+/// pair. Returns none if `a` does not exceed the sum of the base radii.
 ///
 /// Formula   Σ r_b cos β_b/u = a; [T4.29]
 template <class T>
@@ -228,7 +230,7 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
     }
     return s;
   };
-  // At this α, the pitch radius of gear g is equal to a, so the sum of both pitch radii exceeds a.
+  // At this α, the pitch radius of gear g is equal to a, so the sum of both radii exceeds a.
   const T hi = acos(gears[g].radius / a);
   const auto root = newton_in_bracket<T>(f, T(0), hi, T(hi / T(2)), true);
   if (!root.found()) return std::nullopt;
@@ -297,12 +299,11 @@ struct AngleInterval {
   bool limit = false;
 };
 
-/// The α at which the backlash-free distance of a crossed pair is a, in ascending order. If a
-/// exceeds the least distance, there are two such α, but the greater one may lie beyond the domain.
-/// If a is less than the least distance, there is none.
+/// Returns the α at which the backlash-free distance of a crossed pair is a, in ascending order. If
+/// a exceeds the least distance, there are two such α, but the greater α may lie beyond the domain.
+/// If a is less than the least distance, there is no such α.
 ///
-/// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and at most one α is
-///           returned)
+/// Domain    external pair with K > 0. If K ≤ 0, a(α) has no minimum, and at most one α is returned
 template <class T>
 std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& a) {
   using std::asin;
@@ -333,9 +334,9 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   return found;
 }
 
-/// The interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is one
-/// base pitch less than the length that the tips reach, the contact ratio is at least 1 in this
-/// interval. L is convex in α_n, so there is only one interval.
+/// Returns the interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is
+/// one base pitch less than the length that the tips permit, the contact ratio is at least 1 in
+/// this interval. L is convex in α_n, so there is only one interval.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
 /// Domain    external pairs
@@ -356,8 +357,8 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
   AngleInterval<T> found{tiny, half_pi, false};
   T bottom(0);
   if (base_excess(gears) > T(0)) {
-    // The α with the least L is found by bisection with the derivative of L. The ends of the
-    // interval on both sides of this α are found by Newton's method.
+    // Bisection with the derivative of L finds the α with the least L. Newton's method then finds
+    // the ends of the interval on both sides of this α.
     T lo = tiny;
     T hi = half_pi;
     const T narrow(

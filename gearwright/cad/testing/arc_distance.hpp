@@ -1,5 +1,5 @@
-// Searches for the distance between a point of a drawing and an exact arc. The search shares no
-// code with the osculating circles that the fits use to measure their deviation.
+// Searches for the distance between a point of a drawing and an exact arc. The fits measure their
+// deviation with osculating circles. This search shares no code with them.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,8 @@ inline double distance_to_arc(const Arc& arc, const Vec2& q) {
   return best;
 }
 
-/// Area between an arc and its chord, mm². It is positive if the arc lies to the right of the
-/// chord, which means a counter-clockwise bulge.
+/// Returns the area between an arc and its chord, mm². The area is positive if the arc lies to the
+/// right of the chord, which means a counter-clockwise bulge.
 inline double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
   if (bulge == 0.0) return 0.0;
   const double half = 2.0 * std::atan(bulge);  // half the sweep angle, with its sign

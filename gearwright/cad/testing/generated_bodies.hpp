@@ -1,5 +1,5 @@
 // Bodies of gears that are cut by other gears, and of gears with one and two teeth, for tests of
-// the CAD rooms. They are computed by the generation rooms.
+// the CAD files. The code of generation/ computes these bodies.
 //
 //   two_teeth       circular root fillet, and a circular tip fillet in place of the land; β 30°
 //   cut_wheel       60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
@@ -11,8 +11,8 @@
 //   herringbone_ring  36 teeth, an internal gear with a gap
 //   rack_bar        rack of module 2 and width 20 mm; the back is 12 mm below the datum line
 //
-// A gear that was cut by another gear meshes with that gear without backlash at the centre distance
-// E given below.
+// If a gear was cut by another gear, both mesh without backlash at the centre distance E given
+// below.
 #pragma once
 
 #include <optional>

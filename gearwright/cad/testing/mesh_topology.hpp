@@ -1,4 +1,4 @@
-// The topology of a triangle mesh, for tests of the CAD rooms.
+// The topology of a triangle mesh, for tests of the CAD files.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace gearwright::testing {
 
 struct Topology {
-  bool closed = true;  // each directed edge occurs exactly once, and so does its opposite
+  bool closed = true;  // each directed edge occurs exactly once, and so does its reverse
   int euler = 0;
   int parts = 0;
   std::size_t unused = 0;  // vertices that belong to no triangle

@@ -1,14 +1,13 @@
-// Gears with flank modifications, and the law that their flanks obey, for tests of the CAD rooms.
+// Gears with flank modifications, and the law that their flanks obey, for tests of the CAD files.
 //
 //   L, ξ    roll length r_b ξ of an involute, mm, and roll angle       d   distance of a point from
 //   c       material removed along the normal, mm                          the nominal flank, mm
 //
 // An involute helicoid that is turned about its axis by δ is its own parallel surface at the
-// distance δ r_b cos β_b. Therefore d follows from the polar angle of a point. The normal n is
-// given by [T10.26]. The foot of the normal through a point (L, z) has the roll length
-// L + σ d cos β_b and the height z − d sin β_b on the left flank, or z + d sin β_b on the right
-// flank. c is computed here from its definition in gear/modifications.hpp and shares no code with
-// it.
+// distance δ r_b cos β_b. Therefore d follows from the polar angle of a point. [T10.26] gives the
+// normal n. The foot of the normal through a point (L, z) has the roll length L + σ d cos β_b. Its
+// height is z − d sin β_b on the left flank, and z + d sin β_b on the right flank. c is computed
+// here from its definition in gear/modifications.hpp, but without the code of that file.
 #pragma once
 
 #include <algorithm>
@@ -115,8 +114,8 @@ inline std::vector<ModifiedGear> modified_double_helical_gears() {
           modified_halves("internal", internal(20.0), 3.0, 0.0, Bore{118.0})};
 }
 
-/// A point of a double-helical gear in the frame of its half at z > 0. A point at z < 0 is replaced
-/// by its mirror image.
+/// Returns a point of a double-helical gear in the frame of its half at z > 0. If the point is at z
+/// < 0, its mirror image is used.
 inline Vec3 in_half(const ModifiedGear& g, const Vec3& p) {
   const auto& [gap, groove, stagger] = *g.body.two_helices;
   const double middle = (gap + g.gear.spec.face_width) / 2;
@@ -125,7 +124,7 @@ inline Vec3 in_half(const ModifiedGear& g, const Vec3& p) {
   return {c * p.x() + s * p.y(), c * p.y() - s * p.x(), std::abs(p.z()) - middle};
 }
 
-/// c of the right or the left flank, computed from its definition.
+/// Returns c of the right or the left flank, computed from its definition.
 inline double defined_removal(const ModifiedGear& g, bool left, double L, double z) {
   const FlankModifications& m = g.flanks[left ? 1 : 0];
   const double r_b = g.gear.reference().base_diameter / 2;

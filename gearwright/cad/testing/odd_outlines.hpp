@@ -1,6 +1,5 @@
-// Extreme outlines for tests of the CAD rooms: undercut teeth, one or two teeth, internal gears.
-// They are derived from the geometry of a sharp-cornered rack, independently of the generation
-// rooms.
+// Extreme outlines for tests of the CAD files: undercut teeth, one or two teeth, internal gears.
+// They are derived from the geometry of a sharp-cornered rack, without the code of generation/.
 //
 //   m   module, mm     r = |z|m/2, r_b = r cos 20°     c   corner depth below the pitch line, mm
 //   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°
@@ -32,8 +31,8 @@ class CornerTrochoid final : public ComplexCurve {
   double r_, c_, y_c_;
 };
 
-/// The flank of an external gear's tooth space is used as the flank of an internal gear's tooth,
-/// which becomes thicker outwards.
+/// The flank of an external gear's tooth space serves as the flank of an internal gear's tooth.
+/// This tooth becomes thicker outwards.
 class RingInvolute final : public ComplexCurve {
  public:
   RingInvolute(double r_b, double psi_b) : r_b_(r_b), psi_b_(psi_b) {}
@@ -48,7 +47,8 @@ class RingInvolute final : public ComplexCurve {
 
 inline constexpr double kAlpha20 = 20 * kPi / 180;
 
-/// Polar angle of the involute flank at the radius ρ, measured from the centre line of the tooth.
+/// Returns the polar angle of the involute flank at the radius ρ, measured from the centre line of
+/// the tooth.
 inline double flank_angle(int z, double r_b, double rho) {
   const double xi = std::sqrt(std::max(0.0, (rho / r_b - 1) * (rho / r_b + 1)));
   return kPi / (2 * z) + std::tan(kAlpha20) - kAlpha20 - (xi - std::atan(xi));
@@ -81,10 +81,10 @@ inline ToothedBody undercut_body(int z, double m, double depth, double height, d
   return body;
 }
 
-/// One or two teeth. The outline consists of a root circle well inside the base circle, a fillet
-/// that is tangent to the root circle and to the radial line at the start of the involute, the
-/// involute, and a tip land. The involute starts 1e-9 rad beside its cusp, where the tangent can be
-/// computed from the derivative.
+/// Makes a body with one or two teeth. The outline consists of a root circle well inside the base
+/// circle, a fillet, the involute, and a tip land. The fillet is tangent to the root circle and to
+/// the radial line at the start of the involute. The involute starts 1e-9 rad beside its cusp, so
+/// that the tangent can be computed from the derivative.
 inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = 0.8 * r_b, r_a = r + 0.5 * m;
   const double rho = (r_b - r_f) * (r_b + r_f) / (2 * r_f);
@@ -115,8 +115,8 @@ inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   return body;
 }
 
-/// An internal gear of |z| teeth with corners at root and tip. `rim` is the diameter of its rim,
-/// mm.
+/// Makes an internal gear of |z| teeth with corners at root and tip. `rim` is the diameter of its
+/// rim, mm.
 inline ToothedBody ring_body(int z, double m, double twist, double width, double rim) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = r + 1.25 * m, r_a = r - 0.8 * m;
   const double psi_b = kPi / (2 * z) - (std::tan(kAlpha20) - kAlpha20);

@@ -1,5 +1,5 @@
-// Outlines for tests of the CAD rooms. The teeth are cut by a rack and computed from three
-// formulas, independently of the generation rooms.
+// Outlines for tests of the CAD files. The teeth are cut by a rack. Three formulas give them,
+// without the code of generation/.
 //
 //   z      teeth          m, α   transverse module, mm, and pressure angle, rad     r = mz/2
 //   h_a, h_f, ρ           addendum, dedendum and tip radius of the cutter, in modules
@@ -119,8 +119,8 @@ inline void append(Outline& outline, ArcName name, std::shared_ptr<const Curve> 
   outline.arcs.push_back({name, std::move(curve), begin, end, from, to});
 }
 
-/// The roll angle at which the two flanks of a tooth meet, ξ − atan ξ = ψ_b. ψ_b is the half angle
-/// of the tooth on the base circle.
+/// Returns the roll angle at which the two flanks of a tooth meet, ξ − atan ξ = ψ_b. ψ_b is the
+/// half angle of the tooth on the base circle.
 inline double pointed_roll(double psi_b) {
   double xi = std::cbrt(3 * psi_b);
   for (int i = 0; i < 50; ++i) xi -= (xi - std::atan(xi) - psi_b) * (1 + 1 / (xi * xi));
@@ -173,8 +173,8 @@ inline ToothedBody sample_body(const SampleGear& g) {
   return body;
 }
 
-/// The simplest outline: lands joined by a straight flank. It also represents internal gears (teeth
-/// < 0, root > tip).
+/// Makes the simplest outline: lands joined by a straight flank. It also represents internal gears
+/// (teeth < 0, root > tip).
 inline ToothedBody plain_body(int teeth, double r_root, double root_angle, double r_tip,
                               double tip_angle, double face_width = 10.0, double twist = 0.0) {
   ToothedBody body{"plain", {teeth, {}}, twist, face_width, std::nullopt, {}};
@@ -196,8 +196,8 @@ inline double plain_area(int teeth, double r_root, double root_angle, double r_t
               r_root * r_tip * std::sin(root_angle - tip_angle) + tip_angle * r_tip * r_tip);
 }
 
-/// Returns the distance from a point of the plane to the outline of tooth 0, which is the half
-/// outline and its mirror image, mm.
+/// Returns the distance from a point of the plane to the outline of tooth 0, mm. This outline is
+/// the half outline and its mirror image.
 class OutlineDistance {
  public:
   explicit OutlineDistance(const Outline& outline) : outline_(outline) {

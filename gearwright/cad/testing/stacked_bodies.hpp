@@ -1,5 +1,5 @@
 // Solids with several gears, and the volume of every kind of solid of gears, for tests of the CAD
-// rooms.
+// files.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace gearwright::testing {
 
-/// A solid with the second gear above the first, turned by `turn`. A cylinder with the length `gap`
-/// and the radius `neck` joins them. Both have the bore of the first gear.
+/// Makes a solid with the second gear above the first, turned by `turn`. A cylinder with the length
+/// `gap` and the radius `neck` joins both gears. Both gears have the bore of the first gear.
 inline ToothedBody stacked(ToothedBody body, ToothedBody upper, double gap, double neck,
                            double turn) {
   const double top = body.gears().back().top();

@@ -1,6 +1,6 @@
 // Reads STEP files with an independent reader, OCCT. Only tests with names of the form
-// step*_test.cpp include this file. They are built into a separate program, step_tests, the only
-// one that links OCCT.
+// step*_test.cpp include this file. They are built into a separate program, step_tests, because
+// only this program links OCCT.
 #pragma once
 
 #include <TopAbs_ShapeEnum.hxx>
@@ -23,8 +23,8 @@ struct ReadStep {
 
 ReadStep read_step(const std::string& text);
 
-/// Returns the volume by adaptive integration with a relative accuracy of 1e-10. It is negative if
-/// the solid is inside out.
+/// Returns the volume by adaptive integration with a relative accuracy of 1e-10. The result is
+/// negative if the solid is inside out.
 double volume(const TopoDS_Shape& shape);
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);

@@ -1,5 +1,5 @@
 // Blocks of documents that are generated from the catalogue. A test compares each block with the
-// document, or writes it if GW_WRITE_DOCS is set.
+// document. If GW_WRITE_DOCS is set, the test writes the block instead.
 //
 //   <!-- keys: pair -->
 //   | key | …
@@ -25,7 +25,8 @@ inline std::string cell(std::string_view text) {
   return out;
 }
 
-/// A file below the source folder. The text is empty if the file does not exist.
+/// Returns the text of a file below the source folder. The text is empty if the file does not
+/// exist.
 inline std::string document(const std::string& path) {
   std::ifstream file(testing::source_file(path));
   std::ostringstream text;
@@ -39,7 +40,7 @@ inline void write_document(const std::string& path, const std::string& text) {
 
 inline bool documents_are_written() { return std::getenv("GW_WRITE_DOCS") != nullptr; }
 
-/// Expects the file to equal `made`, or writes it.
+/// Expects the file to equal `made`, or writes `made` to the file.
 inline void expect_document(const std::string& path, const std::string& made) {
   if (documents_are_written()) write_document(path, made);
   EXPECT_EQ(document(path), made) << path
@@ -47,7 +48,7 @@ inline void expect_document(const std::string& path, const std::string& made) {
                                      "GW_WRITE_DOCS=1";
 }
 
-/// The names of all blocks of one kind, for example of the kind "keys", in a document.
+/// Returns the names of all blocks of one kind, for example of the kind "keys", in a document.
 inline std::vector<std::string> blocks_of(const std::string& path, const std::string& kind) {
   const std::string text = document(path);
   const std::string begin = "<!-- " + kind + ": ";

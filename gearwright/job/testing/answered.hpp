@@ -1,4 +1,4 @@
-// The answer of a verb to the tree of a spec, for the tests of this room.
+// The answer of a verb to the tree of a spec, for the tests of job/.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,8 +10,8 @@
 
 namespace gearwright::testing {
 
-/// The record of the answer. For an error, a record with its "key" and its "rule", in which the
-/// keys are those of a spec file.
+/// Returns the record of the answer. For an error, returns a record with its "key" and its "rule",
+/// in which the keys are those of a spec file.
 inline Json answered(const Json& tree, std::string_view verb) {
   const auto spec = read_spec_tree(tree, {}, find_verb(verb)->use);
   const auto answer = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());

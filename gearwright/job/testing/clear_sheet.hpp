@@ -18,8 +18,8 @@ inline bool meet(const SheetBox& a, const SheetBox& b) {
          a.lo.y() < b.hi.y() - kTouch && b.lo.y() < a.hi.y() - kTouch;
 }
 
-// True if a piece of a line lies in the box. The piece is halved until it lies inside or its own
-// box is separate.
+// True if a piece of a line lies in the box. The piece is halved until the half lies inside, or
+// until the bounding box of the half is separate from the box.
 inline bool crosses(const Vec2& a, const Vec2& b, const SheetBox& box) {
   const Vec2 lo = a.cwiseMin(b), hi = a.cwiseMax(b);
   if ((lo.array() >= box.hi.array()).any() || (hi.array() <= box.lo.array()).any()) return false;
@@ -28,7 +28,7 @@ inline bool crosses(const Vec2& a, const Vec2& b, const SheetBox& box) {
   return crosses(a, middle, box) || crosses(middle, b, box);
 }
 
-// Arcs are replaced by chords of 0.05 rad.
+// Returns the points of a path in which chords of 0.05 rad replace arcs.
 inline std::vector<Vec2> chords(const SheetPath& path) {
   std::vector<Vec2> points{path.points.front()};
   for (std::size_t i = 0; i < path.bulges.size(); ++i) {

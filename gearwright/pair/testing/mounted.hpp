@@ -1,4 +1,4 @@
-// Makes gears of 20 mm face width, gears cut by a pinion cutter, and involute pairs of them.
+// Makes gears with a face width of 20 mm, gears cut by a pinion cutter, and involute pairs.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@ inline CylindricalSpec spec(int teeth, double module, double x = 0.0, double bet
       {.teeth = teeth, .module = module, .beta_deg = beta_deg, .x = x, .face_width = 20.0});
 }
 
-/// The gear cut by `cutter` at the distance that gives the profile shift x; diameter in mm.
+/// Returns the gear that `cutter` cuts. The distance is chosen so that the profile shift is x. The
+/// tip diameter is in mm.
 inline Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> tip_diameter = {}) {
   const double distance = taken(generating_distance(cutter, teeth, x));
   return taken(make_pinion_cut_gear(cutter, {teeth, distance, 20.0, tip_diameter}));
