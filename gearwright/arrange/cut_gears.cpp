@@ -36,10 +36,11 @@ std::optional<Error> check_cutters(const GivenPair& given) {
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
       return Error{
           gear_field(by, "tip_fillet.clearance"), "",
-          fmt::format("this tip cuts gear {} and therefore has no clearance to that gear; give "
-                      "`radius` or `l` instead, or give gear {} its own cutter with a longer tip, "
-                      "or give a centre distance greater than the generating distance",
-                      which, which)};
+          fmt::format(
+              "the tip of this gear cuts gear {}, so there is no clearance between them; give "
+              "`radius` or `l` instead, or give gear {} its own cutter with a longer tip, "
+              "or give a centre distance greater than the generating distance",
+              which, which)};
     }
   }
   return std::nullopt;

@@ -244,7 +244,8 @@ void add_flank_limits(Quantities<Gear>& q) {
          [](const Gear& g) { return g.tooth && g.tooth->through_axis; })
       .doors(kJson);
   q.flag("tip_cut_by_rack", "tip cut by the rack",
-         "true if the bottom land of the cutter limits the tooth instead of the blank",
+         "true if the tooth ends at the bottom land of the cutter, below the tip diameter of the "
+         "blank",
          [](const Gear& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
 }

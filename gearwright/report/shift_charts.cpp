@@ -133,7 +133,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   f.caption = fmt::format(
       " of the rack of gear 1{}. Below the line “undercut”, the cutter undercuts the root. On the "
       "line “pointed”, the tooth ends in a point. Above the lines “tip 0.2” and “tip 0.4”, the tip "
-      "is thinner than 0.2 and 0.4 modules, respectively. Each of these lines meets the line "
+      "is thinner than 0.2 modules or 0.4 modules. Each of these lines meets the line "
       "“undercut” at the least number of teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " The rings mark the best design." : "");
