@@ -237,7 +237,8 @@ class SetFinder {
     for (auto* ends : {&defining, &speed_only})
       std::sort(ends->begin(), ends->end(),
                 [](const RexsEnd& a, const RexsEnd& b) { return a.load < b.load; });
-    // If nothing else is the output, a body for which only the speed is defined is the output.
+    // If only the speed of a body is defined, this body can be an input or the output. It is the
+    // output if another body is an input and no other body is the output.
     if (following.empty() && !defining.empty()) std::swap(following, speed_only);
     std::copy(speed_only.begin(), speed_only.end(), std::back_inserter(defining));
     if (following.size() > 1)
