@@ -236,8 +236,9 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
       held[m] = holds((*safeties)[m], task_.required);
     return held;
   };
-  // The safeties of a mesh depend mainly on its own width. One bisection therefore finds all
-  // widths, in as many steps as for a single mesh.
+  // The safeties of a mesh depend mainly on the width of the same mesh. The widths of all meshes
+  // are therefore found by a single bisection, in as many steps as the width of one mesh would
+  // need.
   std::vector<double> low(meshes, below), least = greatest, middle(meshes);
   for (bool open = true; open;) {
     open = false;

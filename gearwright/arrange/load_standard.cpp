@@ -130,8 +130,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effects that need new compliance tables. These are the effect of a narrow helical face
-// and the effect of bodies that are held at another diameter than solid bodies.
+// Adds two effects that need new compliance tables: the effect of a narrow helical face, and the
+// effect of bodies that are not held at the same diameter as solid bodies.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

@@ -97,7 +97,8 @@ TEST(LoadedHalves, RejectInputsWithoutTorque) {
   EXPECT_EQ(field(third), "load.driver");
 }
 
-// If both halves are equal, one of them is computed. The other one is its mirror image, bit by bit.
+// If both halves are equal, only one half is computed. The result of the other half is the exact
+// mirror image, bit by bit.
 TEST(LoadedHalves, AreComputedOnceIfTheyAreEqual) {
   const Sample s = sample(0.0, {50.0, 50.0}, 0.01);
   LoadInput input = torque(300);
