@@ -27,7 +27,7 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// px. Width of a figure that has a table or narrow figures beside it, and width of a narrow figure.
+// Width of a figure that has a table or narrow figures beside it, and width of a narrow figure, px.
 constexpr double kWideFigure = 640.0, kNarrowFigure = 420.0;
 
 std::string default_title(const ReportInput& input) {
