@@ -17,8 +17,7 @@ constexpr double kBar = 0.05;  // half the width of a node, relative to the dist
 constexpr double kAir = 0.62;  // gap between nodes, relative to the distance between columns
 constexpr double kShown = 0.006;  // least width of a band, relative to the height of the diagram
 constexpr int kPieces = 24;
-// px: the picture width for which the names are spaced, and the step by which names are moved
-// up
+// Width of the picture for which the names are spaced, and step by which names are moved up, px.
 constexpr double kWidth = 616.0, kLift = 18.0;
 
 // A body or a mesh. Powers are shares of the input power.

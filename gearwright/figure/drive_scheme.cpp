@@ -404,7 +404,7 @@ class Scheme {
   std::vector<double> radii_;             // radius of each gear, in units of the picture
   std::vector<std::vector<Rise>> rises_;  // rises of each body
   std::vector<std::pair<double, double>>
-      beyond_;  // of some words: their height, and their px above (> 0) or below it
+      beyond_;  // px by which some words extend beyond a height, above (> 0) or below it
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;
   double left_most_ = 0.0, right_most_ = 0.0;
 };
