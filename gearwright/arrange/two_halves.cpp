@@ -94,7 +94,6 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   // One hob cuts both halves. For the half that has the hand of the hob, the hob is swivelled by
   // |β| − γ_0, and for the other half by |β| + γ_0. The gap must be wide enough at both swivel
   // angles.
-  //
   double run_out = 0.0;
   for (const double side : {-1.0, 1.0}) {
     const double eta = beta + side * given.hob_lead_angle.rad();
