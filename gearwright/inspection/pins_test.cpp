@@ -147,8 +147,8 @@ TEST(Pins, that_may_tilt_have_a_note_on_a_face_that_is_too_narrow) {
 }
 
 // z 40, m 3, β 25°, b 20.3 mm: over 6 teeth, W_k sin β_b is 20.2272 mm, so the anvils rest on 0.07
-// mm of the face. With b_M = 1.2 mm + 0.018 W_k, a face of 22.17 mm is required, and 18.51 mm over
-// 5.
+// mm of the face. With b_M = 1.2 mm + 0.018 W_k, a span over 6 teeth requires a face of 22.17 mm,
+// and a span over 5 teeth requires 18.51 mm.
 TEST(Span, notes_a_face_on_which_the_anvils_would_tip_off) {
   const auto notes_at = [](double face_width) {
     Arranged alone{GivenPair()};

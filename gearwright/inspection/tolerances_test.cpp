@@ -35,8 +35,8 @@ TEST(FlankTolerances, of_the_formulas_by_hand) {
   EXPECT_EQ(t.helix_form, 7.5);         // 0.7 + 2.7 + 4 = 7.4
   EXPECT_EQ(t.helix_total, 10.0);       // √(6.6² + 7.4²) = 9.92
   EXPECT_EQ(t.runout, 20.0);            // 0.9 · 21.9 = 19.71
-  // Tolerances of neighbouring classes differ by a factor of √2, so those of classes 5 and 7 differ
-  // by 2.
+  // Tolerances of neighbouring classes differ by a factor of √2, so the tolerances of classes 5 and
+  // 7 differ by a factor of 2.
   const auto coarse = flank_tolerances(FlankTolerances::iso_2013, 7, gear);
   EXPECT_EQ(coarse.single_pitch, 15.0);
   EXPECT_EQ(coarse.cumulative_pitch, 44.0);
