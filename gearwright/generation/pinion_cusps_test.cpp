@@ -90,8 +90,8 @@ void expect_same_places(std::vector<double> scan, std::vector<double> found,
   std::vector<double> cells;
   for (double t : found) cells.push_back((t - piece.root) / (piece.tip - piece.root) * kCells);
   std::sort(cells.begin(), cells.end());
-  // The scan may or may not detect a point in the first or last cell, and it cannot detect two in
-  // one cell.
+  // A point in the first or last cell may or may not be found by the scan. Two points in one cell
+  // are never found.
   std::erase_if(cells, [&](double c) {
     const bool at_end = c < 1.0 || c > kCells - 1.0;
     if (at_end) std::erase_if(scan, [&](double s) { return std::abs(s - c) <= 1.0; });
