@@ -76,13 +76,13 @@ std::string campaign_differences(const std::string& was, const std::string& is) 
   std::vector<std::string> found;
   for (const auto& [key, value] : old_lines) {
     const auto now = value_of(new_lines, key);
-    if (!now) found.push_back(fmt::format("{} was {} and is not set in this spec", key, value));
+    if (!now) found.push_back(fmt::format("{} was {} and is not set now", key, value));
     if (now && *now != value)
-      found.push_back(fmt::format("{} was {} and is {} in this spec", key, value, *now));
+      found.push_back(fmt::format("{} was {} and is now {}", key, value, *now));
   }
   for (const auto& [key, value] : new_lines) {
     if (!value_of(old_lines, key))
-      found.push_back(fmt::format("{} was not set and is {} in this spec", key, value));
+      found.push_back(fmt::format("{} was not set and is now {}", key, value));
   }
   if (found.empty()) return "the settings are the same, but their order or number differs";
   std::string text;
