@@ -79,8 +79,8 @@ TEST(Decompositions, least_squares_takes_the_shortest) {
 }
 
 TEST(Decompositions, sums_do_not_depend_on_the_cache_of_the_processor) {
-  // Eigen divides a long sum into parts that fit into the first-level cache. By default, it uses
-  // the cache size of the processor on which it runs.
+  // Eigen divides a long sum into parts that fit into the first-level cache. By default, the size
+  // of the parts depends on the processor on which the program runs.
   EXPECT_EQ(Eigen::l1CacheSize(), 32768);
 }
 
