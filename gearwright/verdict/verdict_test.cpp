@@ -48,7 +48,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << words;
   EXPECT_EQ(severity_of({WarningCode::transverse_contact_ratio, "", 0}), Severity::note);
 
-  // Contact is continuous at this width but no longer if the width is 0.01 mm smaller.
+  // Contact is continuous at this width, but not at a width that is 0.01 mm smaller.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
   const ParallelPair narrow = testing::two_and_sixty(3.45);
   ASSERT_LT(narrow.contact_ratio_true(), 1.0);
@@ -248,7 +248,8 @@ TEST(Verdict, says_small_clearances_in_micrometres) {
   EXPECT_TRUE(finds_text(0.0, "is less than 0.001 µm"));
 }
 
-// The finding states by how much outlines with circular arcs meet before their flanks.
+// For teeth with circular arcs, the finding states by how much the outlines meet before the flanks
+// meet.
 TEST(Verdict, early_contact_has_its_amount) {
   int early = 0;
   for (double longer = 0.0; longer < 4.0; longer += 0.1) {
