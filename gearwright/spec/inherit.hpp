@@ -16,7 +16,7 @@
 namespace gearwright {
 
 struct Inherited {
-  Json tree;                 ///< the spec with the keys of gear 2 written out
+  Json tree;                 ///< the spec, in which gear 2 has all its keys
   bool helix_angle = false;  ///< true if gear 2 takes the helix angle of gear 1; such an angle
                              ///< counts as not given
   std::vector<std::string> noted{};  ///< copied keys that are not dimensions: material, quality

@@ -63,8 +63,8 @@ class SetFinder {
     return !is_ring(&gear) && std::any_of(others.begin(), others.end(), is_ring);
   }
 
-  // Gears for which this text is equal are copies of one planet. They have equal numbers of teeth
-  // and equal neighbours on their shafts, and mesh with the same central gears.
+  // Two gears with the same text are copies of one planet. Such gears have the same number of
+  // teeth, the same neighbours on their shafts, and meshes with the same central gears.
   std::string kind_of(const Component& gear) const {
     std::multiset<std::string> others;
     for (const Component* p : partners(gear))

@@ -19,7 +19,7 @@ namespace gearwright {
 bool is_rexs_gear(const RexsComponent& component);
 /// The name in quotation marks, or the type and the id of a component without a name.
 std::string rexs_name(const RexsComponent& component);
-/// z, < 0 for a ring.   Domain  a gear with `number_of_teeth`
+/// z, which is negative for a ring.   Domain  a gear with `number_of_teeth`
 int rexs_teeth(const RexsComponent& gear);
 
 struct RexsStage {
