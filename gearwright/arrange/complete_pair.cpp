@@ -111,9 +111,9 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// The error for two different racks. An absent shift, the extended centre distance and shortened
-// tips can be computed only if one rack cuts both gears. Empty if the input requires none of these
-// three.
+// Returns an error if two different racks cut the gears but the input requires a single rack. A
+// single rack is required to compute an absent shift, the extended centre distance and shortened
+// tips.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "
@@ -308,8 +308,9 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
       continue;
     }
     if (!at_now) {
-      // A gear cannot be made with this thinning. The search continues with the nearest possible
-      // thinning, unless the requested backlash lies beyond the backlash that this thinning gives.
+      // The gears cannot be made with this thinning, so the search continues with the nearest
+      // thinning with which they can be made. If the backlash at this nearest thinning is already
+      // beyond the requested backlash, there is no solution.
       const Error cause = at_now.error();
       now = nearest_possible(before, now, [&](double thinning) {
         return static_cast<bool>(backlash_at(given, place, thinning));

@@ -77,7 +77,7 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
     pair.backlash = base.backlash.all;
     stages[k].friction = base.friction;
   }
-  // Without shifts, the centre distances are not yet equal.
+  // The gears have no shifts yet, so their centre distances differ.
   stages.back().pair.coaxial = is_coaxial(problem, c) && !c.shifts.empty();
   stages.front().speeds_rpm = base.speeds_rpm;
   stages.front().torque_Nm = base.torque_Nm;

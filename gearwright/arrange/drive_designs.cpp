@@ -79,8 +79,8 @@ class Candidates {
         threads_);
     for (std::size_t i = 0; i < which.size(); ++i) {
       ++designs.computed;
-      // Until a drive has been rated, an error is attributed to the spec. Afterwards, it concerns
-      // only the candidate, which is left out.
+      // Before the first drive has been rated, an error is attributed to the spec. Later, an error
+      // concerns only the candidate, which is then left out.
       if (auto* error = std::get_if<Error>(&*outcomes[i])) {
         if (!is_rated_) return *error;
         outcomes[i] = DriveFault::safety;
