@@ -82,8 +82,8 @@ class PowerDiagram {
     }
   }
 
-  // Puts each node in a column after the columns of all nodes from which it gets power. A band that
-  // closes a loop is marked as `back` and does not count here.
+  // Puts each node in a column to the right of all nodes from which it gets power. A band that
+  // closes a loop is marked as `back` and has no effect on the columns.
   void find_columns() {
     std::vector<int> state(nodes_.size(), 0);  // 1: being visited, 2: done
     std::vector<std::size_t> order;

@@ -232,9 +232,9 @@ class Scheme {
     });
   }
 
-  // The position of the bell of a ring, which is beyond the slots of the ring. If the body is
-  // an input, the output or fixed, the bell is on the side on which its shaft ends. Otherwise
-  // it is on the side of the other gears of the body.
+  // The position of the bell of a ring. The bell is beyond the slots of the ring. If the body is an
+  // input, the output or fixed, the bell is on the side on which the shaft of the body ends.
+  // Otherwise, the bell is on the side of the other gears of the body.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }
