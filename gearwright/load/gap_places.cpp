@@ -12,7 +12,7 @@ namespace {
 
 using End = FlankPatch::End;
 
-// Rounding error of a place, relative to the length of the flank.
+// Rounding error of the position of a place, relative to the length of the flank.
 constexpr double kBorderRounding = 1e-15;
 // Two patches count as having the same gap if T differs by less than this value, rad.
 constexpr double kSameGap = 1e-13;
