@@ -283,8 +283,8 @@ TEST(RemovalField, goes_on_below_an_involute) {
     for (const double beyond : {1e-2, 1e-3, 1e-4, 1e-5}) {
       const double u = end - beyond;
       const Removal r = field->at(u, 0.0, piece);
-      // L is about −0.9 √(L0² + 2 r0² beyond) here, which is less than 0 by at most one length of
-      // the flank.
+      // Here, L is about −0.9 √(L0² + 2 r0² beyond). Its magnitude is at most one length of the
+      // flank.
       EXPECT_LT(std::abs(r.c), 0.01 * 4 * 4 + 0.01);
       // The step is small compared with the distance to L0/2, where the formulas change.
       const double h = 1e-4 * beyond;
