@@ -237,7 +237,8 @@ TEST_F(ChunkStoreTest, the_chunks_outlive_the_journal) {
       << message;
   for (const bool empty : {false, true}) {
     fs::remove(folder_ / "journal.sqlite");
-    if (empty) write(folder_ / "journal.sqlite", "");  // killed before the first row
+    // as if the process had been killed before the first row.
+    if (empty) write(folder_ / "journal.sqlite", "");
     EXPECT_TRUE(contains(refusal(OpenAs::fresh, campaign(5)),
                          "3 of 5 chunks done; continue it with --resume"));
     for (const OpenAs as : {OpenAs::fresh, OpenAs::resume, OpenAs::join}) {
