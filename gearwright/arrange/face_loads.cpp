@@ -76,7 +76,8 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
 
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
                                              const Safeties& wanted, FaceLoads& faces) {
-  constexpr double kSameTorque = 2e-6;  // greatest relative difference from the torque of safety
+  // Greatest relative difference between the input torque and the result.
+  constexpr double kSameTorque = 2e-6;
   constexpr int kMostSteps = 12;
   double log_torque = std::log(input.torque);
   std::optional<std::array<double, 2>> before;  // of the last step: ln T, distance

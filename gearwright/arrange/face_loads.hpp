@@ -44,8 +44,9 @@ class FaceLoads {
   };
 
   LoadTask task_;
-  bool default_slices_;                  // true if the number of slices is not given
-  std::vector<Resolution> resolutions_;  // the first is the finest; each of the others is halved
+  bool default_slices_;  // true if the number of slices is not given
+  // the first is the finest; each other one has half the slices.
+  std::vector<Resolution> resolutions_;
 };
 
 /// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. The
