@@ -20,7 +20,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
-constexpr double kLeastWidth = 320.0;  // px, of a section that is taller than it is wide
+// px, least width of a section that is taller than it is wide.
+constexpr double kLeastWidth = 320.0;
 // Greatest shown length of a rack, in tip radii of the pinion.
 constexpr double kBarRadii = 8.0;
 // Width of a picture, px, and its height divided by its width.
