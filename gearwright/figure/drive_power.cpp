@@ -33,7 +33,8 @@ struct Node {
 struct Band {
   std::size_t from, to;
   double power;
-  bool back = false;                   // from a later column to an earlier one
+  // True if the band runs from a later column to an earlier one.
+  bool back = false;
   double leaves = 0.0, arrives = 0.0;  // y of the centre line of the band at `from` and at `to`
 };
 
