@@ -44,7 +44,7 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   const Real length = std::hypot(nx, ny);
   nx /= length;
   ny /= length;
-  const Real t = -d * ny / nx - y;  // the line through (r − d, y + t) along n meets (r, 0)
+  const Real t = -d * ny / nx - y;  // for this t, the normal passes through the pitch point (r, 0)
   const Real turn = kLongPi / s.teeth - t / r;
   const Real px = r - d, py = y + t;
   const Real co = std::cos(turn), si = std::sin(turn);
