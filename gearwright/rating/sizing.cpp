@@ -76,7 +76,9 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
   // is s < 1 times its required value, every greater sufficient width is at least b s^(−1/kPower).
   // The search continues at this width. Sufficient widths can be missed only if they lie within a
   // single step of kLeastStep.
-  constexpr double kPower = 4.0;       // 1 for the load, 3 for overlap and load factors
+  // Safety factors grow at most like b⁴: like b because of the load, and like b³ because of overlap
+  // and load factors.
+  constexpr double kPower = 4.0;
   constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths may be missed
   constexpr double kBlind = 1.001;     // relative step if there is no rating at this width
   double lo = std::min(most, pair.normal_module);
