@@ -210,7 +210,8 @@ TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// The key of `table` with which `path` begins. If `path` begins with several keys, the longest one.
+// Returns the key of `table` with which `path` begins. If `path` begins with several keys, returns
+// the longest of them.
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {
