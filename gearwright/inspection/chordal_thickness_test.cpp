@@ -419,7 +419,7 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   const double d = 2 * *gear.root_form_radius() * 1.0001;
   ASSERT_GT(tooth_arc(gear, d).half_angle, kPi / 2);
   expect_refused(gear, d, "too much for a calliper");
-  // The thread of a worm with the same width is accepted.
+  // A calliper can measure the thread of a worm that has the same width.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);
   const auto c = chordal_thickness(thread, thread.reference_diameter);

@@ -51,9 +51,9 @@ double width_over(const std::vector<Vec2>& centers, double radius, double theta)
   return far - near;
 }
 
-// In a spur gear, pins are circles in the spaces, and anvils are lines that turn around the
-// circles. A micrometer over two pins reads the greatest width. Over three pins, it rests at the
-// least width.
+// In the transverse section of a spur gear, pins are circles in the spaces, and anvils are lines
+// that turn around the circles. A micrometer over two pins reads the greatest width. A micrometer
+// over three pins comes to rest at the least width.
 TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) {
   int odd = 0;
   for (const int z : {5, 7, 8, 17, 20, 33, 61, 100}) {
