@@ -21,7 +21,8 @@ using testing::steel_drive;
 // An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
-// Gear 2 of the laws that hold for external and internal pairs; −65 is an internal gear.
+// Numbers of teeth of gear 2, for the laws that hold for external and internal pairs; −65 is an
+// internal gear.
 constexpr std::array kWheels{25, -65};
 
 Drive external_drive(double helix_deg, double face) {
