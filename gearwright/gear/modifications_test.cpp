@@ -182,7 +182,7 @@ TEST(RemovalField, has_the_values_of_the_drawing_at_the_ends) {
       const double slope = field->derivative(p, u, 0.0, field->piece_at(u, 0.0)).c_u;
       EXPECT_NEAR(unit(p, u, 0.0), value, on_base ? 2.1e-6 : 3e-15 * std::abs(slope) + 1e-15);
     };
-    // slightly inside the ends, so that piece_at() returns the end piece
+    // The points are slightly inside the ends, so that piece_at() returns the end piece.
     const double at_tip = std::nextafter(tip, root);
     const double at_root = std::nextafter(root, tip);
     expect(P::tip_relief, at_tip, 1);

@@ -82,7 +82,7 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         EXPECT_FALSE(cut(cutter, blank).tooth->tip_cut_by_rack);
       }
     }
-    // If a rack rounds the tips of the gear, its bottom land lies at its addendum.
+    // If the rack rounds the tips of the gear, the bottom land of the rack lies at the addendum.
     for (const int teeth : {17, 29, 64}) {
       for (const double x : {0.0, 0.1, 0.37}) {
         CylindricalSpec s = testing::plain_spec(

@@ -24,8 +24,8 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
     const double half_second = (s[1] - s[0]) / (h[0] + h[1]);
     return {s[0] - h[0] * half_second, s[0] + h[0] * half_second, s[1] + h[1] * half_second};
   }
-  // `m` contains first the right-hand side and finally the slopes. `above` contains the upper diagonal
-  // divided by the pivots.
+  // `m` contains first the right-hand side and finally the slopes. `above` contains the upper
+  // diagonal divided by the pivots.
   std::vector<double> m(n), above(n);
   const double first = h[0] + h[1];
   above[0] = first / h[1];
