@@ -11,9 +11,9 @@ namespace {
 constexpr int kPlaces = 8;     // positions along the flank
 constexpr int kRadii = 400;    // steps of radius_lengths, interpolation error 1e-5 modules
 constexpr double kBump = 0.3;  // modules: half width of a bump
-// Modules: distance of the lowest position on the flank from the start of the flank.
+// Distance of the lowest position on the flank from the start of the flank, modules.
 constexpr double kFromRoot = 0.12;
-// Modules: distance of the highest position from the end of the flank. The tables are extrapolated
+// Distance of the highest position from the end of the flank, modules. The tables are extrapolated
 // beyond this position.
 constexpr double kFromTip = 0.16;
 // Greatest half width of a bump, relative to the distance of the bump from the end of the flank.
