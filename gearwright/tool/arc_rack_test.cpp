@@ -40,7 +40,7 @@ TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   EXPECT_NEAR(on_F.x(), -on_P.x(), 1e-15);
   // A tooth of one rack lies in a space of the other.
   EXPECT_NEAR(on_F.y(), kPi / 2 - on_P.y(), 1e-15);
-  // The normals of both sides meet on the pitch plane, in the middle.
+  // The normals of both sides meet on the pitch plane, in the middle of the tooth.
   EXPECT_NEAR(on_F.y(), on_F.x() / std::tan(psi.rad()), 1e-15);
 }
 
