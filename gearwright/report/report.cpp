@@ -139,8 +139,8 @@ std::string foot(const ReportInput& input) {
                    : " Strength is not considered.");
 }
 
-// The figures that decide, at most three: the gears in mesh, then figures of the load, of the
-// contact or of the pair.
+// The most important figures, at most three: first the gears in mesh, then figures of the load, of
+// the contact or of the pair.
 std::vector<Figure> deciding_figures(const ReportInput& input) {
   constexpr std::size_t kMost = 3;
   std::vector<Figure> figures, of_pair;
