@@ -117,9 +117,9 @@ TEST(FlankTolerances, of_a_sector_lie_between_pitch_and_total) {
   EXPECT_FALSE(flank_tolerances(FlankTolerances::iso_2013, 5, {60, 4, 40, 15, 0.0}).sector_pitch);
 }
 
-// The same reports print f_Σβ and f_Σδ without the bearing span. For F_β = 27 µm they print 27 and
-// 54 µm, which corresponds to L = 2 b. For F_β = 30 µm they print 19.5 and 39 µm, which corresponds
-// to L = 1.3 b.
+// The printed reports contain f_Σβ and f_Σδ but not the bearing span L. For F_β = 27 µm, they print
+// 27 and 54 µm, which corresponds to L = 2 b. For F_β = 30 µm, they print 19.5 and 39 µm, which
+// corresponds to L = 1.3 b.
 TEST(FlankTolerances, of_the_axes_grow_with_the_span_of_the_bearings) {
   FlankToleranceValues t{};
   set_axis_tolerances(t, 27.0, 360.0, 720.0);
