@@ -130,8 +130,8 @@ TEST(Rating, SpurReport) {
   }
 }
 
-// Planet and ring of that stage are an internal pair, and a pinion cutter with 30 teeth cuts the
-// ring.
+// The planet and the ring of the planetary stage are an internal pair, and a pinion cutter with 30
+// teeth cuts the ring.
 TEST(Rating, InternalReport) {
   RatedPair pair = printed_pair({36, 0.5039, 815.663}, {-93, 0.1171, 1906.081}, 21, 0, 550, 584,
                                 *iso53_rack("ISO53-A"));
