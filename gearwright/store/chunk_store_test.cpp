@@ -146,8 +146,8 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
   fs::copy_file(file(2), file(5), fs::copy_options::overwrite_existing);
   fs::remove(file(6));
   write(file(7), "");
-  // Unfinished files of a dead process, of a live process, of another host, and an old one of
-  // another host.
+  // Four unfinished files: of a dead process, of a live process, a recent file of another host, and
+  // an old file of another host.
   char host[256] = {};
   ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
   const std::string here = std::string(".0.part.") + host + ".";
