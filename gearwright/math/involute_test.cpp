@@ -32,8 +32,8 @@ TEST(Involute, known_values) {
                                    {0.47123889803846898577, 0.038286551455959824744},
                                    {0.78539816339744830962, 0.21460183660255169038},
                                    {1.3962634015954636615, 4.2750184180222458695}}) {
-    // The input of the last case is rounded too. Its relative condition number is α tan²α/inv α ≤
-    // 11.
+    // The angle is rounded too. The relative condition number α tan²α/inv α is at most 11, in the
+    // last case.
     EXPECT_NEAR(involute(alpha), inv, 16 * kEps * inv) << alpha;
     EXPECT_EQ(involute(-alpha), -involute(alpha));
   }
