@@ -208,7 +208,7 @@ TEST(Verdict, OfARackThatNeedsTheOverlapOfHelicalTeeth) {
 
 // A centre distance that is rounded to four decimals changes j_n by at most 2 · 0.5e-4 tan α_n =
 // 3.6e-5 mm, so pairs and racks at this distance are green. A distance that is smaller by 5e-4 mm is
-// red, and no backlash is printed as too thick by 0.0000 mm.
+// red. The headline never contains "0.0000 mm".
 TEST(Verdict, a_rounded_centre_distance_is_no_negative_backlash) {
   const Gear pinion = sample_gear(20, 2, 0, 0.2, 0.0, -0.05), wheel = sample_gear(41, 2, 0, 0.1);
   const double a =
