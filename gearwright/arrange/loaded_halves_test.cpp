@@ -168,10 +168,10 @@ TEST(LoadedHalves, AreExchangedByMirroredErrors) {
 }
 
 // Law (5). The faces are 50 and 34 mm wide, so the halves have their middles at 14 and 10 mm. The
-// errors move the contact by about 1 mm. If the contact is inside the flanks, a slice has its middle
-// within h/2 of the point of contact, where h is the width of a slice. With a crowning C, the gap in
-// this middle is less than C (h/b_B)². The force of a half is 0.002 N, and a slice is stiffer than
-// 1 N/µm.
+// errors move the contact by about 1 mm. If the contact is inside the flanks, a slice has its
+// middle within h/2 of the point of contact, where h is the width of a slice. With a crowning C,
+// the gap in this middle is less than C (h/b_B)². The force of a half is 0.002 N, and a slice is
+// stiffer than 1 N/µm.
 TEST(LoadedHalves, TouchWhereTheyTouchWithoutLoad) {
   constexpr double kCrowning = 0.01, kYield = 2e-6;  // mm
   const ContactErrors errors{.crossing = Angle::degrees(0.01),
