@@ -28,8 +28,8 @@ TEST(TeRuns, TheHandoverIsWhereTheCurvesCross) {
   const auto b = [](double x) { return 3.0 + 2.0 * x; };
   std::vector<ContactPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back(a(i) > b(i) ? point(i, a(i), 0) : point(i, b(i), 1));
-  // te_runs() moves intersections outside the range of the values to its ends. The low value of this
-  // point extends the range, so that the intersection at 6.5 lies inside.
+  // te_runs() moves intersections outside the range of the values to its ends. The low value of
+  // this point extends the range, so that the intersection at 6.5 lies inside.
   points.push_back(point(-1, a(2.0) - 5.0, 9));
   std::rotate(points.begin(), points.end() - 1, points.end());
   const auto runs = te_runs(points);
