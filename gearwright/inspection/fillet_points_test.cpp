@@ -52,8 +52,8 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   return {co * px - si * py, si * px + co * py, -(co * nx - si * ny), -(si * nx + co * ny)};
 }
 
-// The θ at which the rolled position is nearest to the point (x, y). θ is varied from the tangent of
-// the flank to the tangent of the land.
+// The θ at which the rolled position is nearest to the point (x, y). θ is varied from the tangent
+// of the flank to the tangent of the land.
 Real nearest(const CylindricalSpec& s, Real x, Real y) {
   const auto far = [&](Real theta) {
     const Place p = rolled(s, theta);
