@@ -86,8 +86,8 @@ TEST(Rating, HelicalReport) {
   }
 }
 
-// The second stage of the same gearbox, a spur pair of sun and planet, agrees to all printed
-// digits.
+// Sun and planet of the second planetary stage of a 5 MW wind turbine, a spur pair. Every value
+// agrees to its printed digits.
 TEST(Rating, SpurReport) {
   const RatedPair pair = printed_pair({18, 0.389, 432.838}, {36, 0.5039, 815.663}, 21, 0, 550, 584,
                                       *iso53_rack("ISO53-A"));
@@ -130,8 +130,8 @@ TEST(Rating, SpurReport) {
   }
 }
 
-// The planet and the ring of the planetary stage are an internal pair, and a pinion cutter with 30
-// teeth cuts the ring.
+// Planet and ring of the second planetary stage of a 5 MW wind turbine, an internal pair. A pinion
+// cutter with 30 teeth cuts the ring.
 TEST(Rating, InternalReport) {
   RatedPair pair = printed_pair({36, 0.5039, 815.663}, {-93, 0.1171, 1906.081}, 21, 0, 550, 584,
                                 *iso53_rack("ISO53-A"));
