@@ -165,8 +165,8 @@ TEST(PinionCusps, cusp_of_a_known_set) {
   EXPECT_NEAR(cusps[0], -kPi / 2 + 0.13050237994245208615, 1e-12);
 }
 
-// The corner lies outside the centrode, so some of its normals do not meet the centrode. The normals
-// at the ends of this range are tangent to the centrode.
+// The corner lies outside the centrode, so some of its normals do not meet the centrode. The
+// normals at the ends of this range are tangent to the centrode.
 TEST(PinionCusps, reach_ends_where_the_normal_touches_the_centrode) {
   const PinionMotion motion{8, 24, 48.0};
   const double r_p = motion.cutter_pitch_radius();
