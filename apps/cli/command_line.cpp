@@ -135,13 +135,13 @@ void CommandLine::add_answering() {
   }
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
-      "Describe the same teeth by another rack, given as its module and pressure angle, "
-      "MODULE,ANGLE; one of the two may be empty");
+      "Describe the same teeth by another rack with the given module and pressure angle, "
+      "MODULE,ANGLE; one of the two values may be empty");
   add_study_options(app_.get_subcommand("scatter"), study_);
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
       "--expand", [&o] { o.expand = true; },
-      "Print only the graph [drive] that is made from the spec");
+      "Translate the spec into the graph form, [drive], and print only this graph");
   drive
       ->add_option("--harmonics", o.harmonics,
                    "Number of harmonics of the phases and of the transmission error (default 3)")
@@ -164,7 +164,8 @@ void CommandLine::add_answering() {
                 [&o] { return outline_verb(o); });
   spec_argument(outline, o);
   csv_flag(outline, o);
-  outline->add_option("--gear", o.gear, "Which gear, 1 or 2 (default 1)")->check(CLI::Range(1, 2));
+  outline->add_option("--gear", o.gear, "Number of the gear, 1 or 2 (default 1)")
+      ->check(CLI::Range(1, 2));
   outline->add_option("--points", o.points, "Points per arc, both ends included (default 50)")
       ->check(CLI::Range(2, 1000000));
 }
@@ -179,11 +180,11 @@ void CommandLine::add_files() {
                 [&o] { return export_verb(o); });
   spec_argument(files, o);
   files
-      ->add_option(
-          "--gear", o.part,
-          "Export only this gear, 1 or 2, in its own frame. For a drive, give the name of a part, "
-          "such as planet; the part lies on its face. Without this option, all gears are exported "
-          "in place")
+      ->add_option("--gear", o.part,
+                   "Export only this gear, 1 or 2, in its own frame. For a drive, give the name of "
+                   "a part, such as planet; the file contains this part lying on its face. Without "
+                   "this option, all gears are exported "
+                   "in place")
       ->check(CLI::Validator(
           [](const std::string& name) {
             return name.empty() ? std::string("must be 1, 2 or the name of a gear") : std::string();
@@ -263,7 +264,7 @@ void CommandLine::add_others() {
   shell->add_option("SHELL", o.shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  verb("manual", "The manual page, for man: verbs, options, the keys of a spec",
+  verb("manual", "The manual page for the command man, with verbs, options and the keys of a spec",
        "gearwright manual > gearwright.1; man ./gearwright.1",
        [this] { return print(manual_page(app_)), 0; });
 }
@@ -276,7 +277,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     const std::string& name = sub->get_name();
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
-    // Two equal letters at the beginning outweigh one wrong letter.
+    // Two equal letters at the beginning of a word count more than one wrong letter.
     const bool alike = word.size() > 2 && name.starts_with(word.substr(0, 2));
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name) - alike;
     if (off >= least) continue;

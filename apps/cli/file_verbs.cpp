@@ -137,8 +137,8 @@ int run_verb(const Options& o) {
                                           !fs::is_directory(o.spec));
   if (!o.out && nameless) {
     return usage(
-        "the spec has no file name from which the folder could be named; give the folder with "
-        "--out DIR");
+        "the default folder has the name of the spec file, but this spec is not a file; give a "
+        "folder with --out DIR");
   }
   FileOptions options = file_options(o);
   if (o.only) {
@@ -197,7 +197,7 @@ int export_verb(const Options& o) {
   if (!spec) return door.fail(spec.error());
   if (spec->drive) return export_drive(o, door, *spec, wanted);
   if (!o.part.empty() && !gear)
-    return usage("--gear takes 1 or 2 for a pair; names of gears are for drives");
+    return usage("for a pair, --gear must be 1 or 2; only the parts of a drive have names");
   // A drawing contains data of the mating gear, so the pair must be solved.
   const bool alone = gear && o.drawing.empty();
   const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);

@@ -19,9 +19,10 @@
 namespace gearwright::apps {
 
 CLI::App* add_search(CLI::App& app, SearchCommand& c) {
-  CLI::App* sub = app.add_subcommand("search",
-                                     "All designs that satisfy [search] of the spec, ranked, with "
-                                     "the regions of their profile shifts");
+  CLI::App* sub =
+      app.add_subcommand("search",
+                         "All designs that satisfy the table [search] of the spec, ranked, with "
+                         "the region of feasible profile shifts of each design");
   sub->footer(
       "Example:\n"
       "  gearwright search examples/gearbox_search.toml --out found\n"
@@ -35,7 +36,7 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
   sub->add_option("--out", c.out,
                   "Folder for search.parquet, best.csv, search.json, report.html, and for the "
                   "chunks of a large search");
-  sub->add_option("--take", c.take, "Print the spec of the pair of this rank and nothing else")
+  sub->add_option("--take", c.take, "Print the spec of the design with this rank and nothing else")
       ->check(CLI::Range(1, 1000000));
   sub->add_option("--top", c.top, "Number of designs to list; search.parquet contains all designs")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
@@ -73,7 +74,7 @@ std::string progress_text(const SearchProgress& p, double seconds) {
   switch (p.stage) {
     case SearchProgress::Stage::changes:
       return fmt::format(
-          "no design is feasible; {} trials are done to find the smallest change that helps",
+          "no design is feasible; the search for the smallest change that helps has done {} trials",
           p.done);
     case SearchProgress::Stage::regions:
       return fmt::format("the regions of {} of {} designs are computed", p.done, p.of);

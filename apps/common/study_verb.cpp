@@ -33,7 +33,8 @@ void add_study_options(CLI::App* sub, StudyCommand& c) {
 
 CLI::App* add_study(CLI::App& app, StudyCommand& c) {
   CLI::App* sub = app.add_subcommand(
-      "scatter", "Effect of the tolerances of [scatter] on the designs of a search, ranked");
+      "scatter",
+      "Effect of the tolerances in [scatter] on the designs of a search, with a ranking");
   sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
   sub->add_option("SPEC", c.spec, "The spec of the search, with [scatter]")->required();
   add_study_options(sub, c);

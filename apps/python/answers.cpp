@@ -301,8 +301,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   loaded.def_property_readonly(
       "positions", &load_positions_of,
       "A structured array of shape (torques, positions) with a column for each quantity, named by "
-      "its key. Load shares are in torques[i].positions, because their number varies. None if only "
-      "probes were requested");
+      "its key. The number of load shares varies, so they are in torques[i].positions. The value "
+      "is None if only probes were requested");
   bind_answer<LoadedValue>(loaded, load_quantities().table(), [](const PairValue& p) {
     return loaded_of(p, py::none(), py::none(), {});
   });
@@ -335,7 +335,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   });
   m.def("fit", &fit, py::arg("spec"),
         "Computes the values that are absent in the gears and in [pair] of the spec. Returns a "
-        "Record with branches, reason and nearest; load(branch.spec) returns the Pair of a branch");
+        "Record with branches (the solutions), reason (why there is no solution) and nearest (near "
+        "values with a solution); load(branch.spec) returns the Pair of a branch");
   m.def("compensate", &compensate, py::arg("pair"),
         "Computes corrections for errors; arguments are keys of [compensate] (corrections=, "
         "range=, centering=). Returns a Record with corrections, before and after; "

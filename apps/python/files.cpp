@@ -242,8 +242,9 @@ Eigen::Matrix4d pose(const PairValue& pair, int which) {
 
 void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair) {
   gear.def("outline", &outline, py::arg("points") = 200,
-           "Returns half a tooth in the section z = 0, from root to tip, as a dict from the name "
-           "of each arc to an array (points, 2) in mm. The centre line of the tooth is the x axis, "
+           "Returns half a tooth in the section z = 0, from root to tip, as a dict that contains, "
+           "for the name of each arc, an array (points, 2) in mm. The centre line of the tooth is "
+           "the x axis, "
            "and the half lies at y > 0")
       .def("section", &section, py::arg("points") = 20,
            "Returns the closed outline of all teeth in the section z = 0 as an array (n, 2) in mm, "

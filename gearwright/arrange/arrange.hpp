@@ -2,8 +2,8 @@
 // computed from the given values. Contradictory values cause an error.
 //
 // Profile shifts and centre distance determine each other. The cutter of a gear determines its
-// module and angles. A required backlash determines the tooth thickness. An absent face width
-// becomes 10 m_n, with a warning.
+// module and angles. A required backlash determines the tooth thickness. If no face width is given,
+// it is 10 m_n, and there is a warning.
 #pragma once
 
 #include <memory>

@@ -48,8 +48,9 @@ ShiftProblem shift_problem(const GivenPair& given) {
 // Gives the pinion of an internal pair at least the profile shift with which it is not undercut.
 // The internal gear gets the rest of the sum of the shifts. Neither shift is given.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
-  // If the sum is greater than this limit, the tip of the internal gear leaves no room for the
-  // additional shift of the pinion. Pairs of 9 to 25 and 30 to 90 teeth then become worse.
+  // Greatest sum of the profile shifts at which the pinion gets an additional shift. At a greater
+  // sum, the tip of the internal gear leaves no room for this shift: internal pairs with 9 to 25
+  // and 30 to 90 teeth become worse by it.
   constexpr double kGreatestSum = -0.4;
   const GearInput& pinion = *given.gears[0];
   if (pinion.basic || pinion.cut_by || shifts.x1 > kGreatestSum) return;
@@ -58,8 +59,8 @@ void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   const auto gear = make_gear(unshifted);
   const auto free = gear ? gear->undercut_free_shift() : std::nullopt;
   if (!free) return;
-  // A thickness allowance moves the cutter like a profile shift. A backlash thins the pinion by
-  // about its share of this backlash.
+  // A thickness allowance moves the cutter like a profile shift does. A required backlash thins the
+  // pinion by the part of the backlash that `backlash_split` assigns to the pinion.
   const PairInput& p = given.pair;
   const double radius = unshifted.normal_module * unshifted.teeth / 2;  // m_n z/2  mm; the helix is
                                                                         // neglected
@@ -110,9 +111,9 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// The error for two different racks. An absent shift, the extended centre distance and shortened
-// tips can be computed only if one rack cuts both gears. Empty if the input requires none of these
-// three.
+// Returns an error if two different racks cut the gears but the input requires a single rack. A
+// single rack is required to compute an absent shift, the extended centre distance and shortened
+// tips.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "
@@ -178,8 +179,9 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // If the shaft angle and at least one profile shift are absent, the given centre distance
-    // is taken as the minimum centre distance of the pair. This determines the shaft angle.
+    // If the shaft angle and at least one profile shift are absent, the given centre distance is
+    // taken as the minimum centre distance of the pair. The minimum centre distance determines the
+    // shaft angle.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
@@ -306,8 +308,9 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
       continue;
     }
     if (!at_now) {
-      // A gear cannot be made with this thinning. The search continues with the nearest possible
-      // thinning, unless the requested backlash lies beyond the backlash that this thinning gives.
+      // The gears cannot be made with this thinning, so the search continues with the nearest
+      // thinning with which they can be made. If the backlash at this nearest thinning is already
+      // beyond the requested backlash, there is no solution.
       const Error cause = at_now.error();
       now = nearest_possible(before, now, [&](double thinning) {
         return static_cast<bool>(backlash_at(given, place, thinning));

@@ -13,10 +13,11 @@ void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::stri
   if (!jams(least_play, moved)) return;
   warnings.push_back(
       {WarningCode::jam,
-       fmt::format("The {} jam, because {} in contact at once. {} would have to yield by {}.",
-                   rack ? "pinion and the rack" : "gears", touched, rack ? "The rack" : "Gear 2",
-                   rack ? fmt::format("{:.6f} mm", rack.of(-least_play))
-                        : fmt::format("{:.6f} degrees", -least_play.deg())),
+       fmt::format(
+           "The {} jam, because {} in contact at the same time. {} would have to yield by {}.",
+           rack ? "pinion and the rack" : "gears", touched, rack ? "The rack" : "Gear 2",
+           rack ? fmt::format("{:.6f} mm", rack.of(-least_play))
+                : fmt::format("{:.6f} degrees", -least_play.deg())),
        0});
 }
 

@@ -36,10 +36,11 @@ std::optional<Error> check_cutters(const GivenPair& given) {
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
       return Error{
           gear_field(by, "tip_fillet.clearance"), "",
-          fmt::format("this tip cuts gear {} and therefore has no clearance to that gear; give "
-                      "`radius` or `l` instead, or give gear {} its own cutter with a longer tip, "
-                      "or give a centre distance greater than the generating distance",
-                      which, which)};
+          fmt::format(
+              "the tip of this gear cuts gear {}, so there is no clearance between them; give "
+              "`radius` or `l` instead, or give gear {} its own cutter with a longer tip, "
+              "or give a centre distance greater than the generating distance",
+              which, which)};
     }
   }
   return std::nullopt;
@@ -65,10 +66,10 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// The default profile shift of a gear that has its own cutter. It applies if neither the
-// profile shift of the gear nor `profile_shift_pair` (e) is given. With this shift, the gear
-// meshes with its mating gear without backlash at the given centre distance. None if there is
-// no such shift.
+// The default profile shift of a gear that has its own cutter. The default applies if neither the
+// profile shift of the gear nor `profile_shift_pair` (e) is given. A gear with the default shift
+// meshes with its mating gear without backlash at the given centre distance. The result is none if
+// there is no such shift.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -278,9 +279,9 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
   const bool own =
       of == GearMember::face_width || of == GearMember::tip_diameter || of == GearMember::teeth;
   if (of == GearMember::tip_diameter && !gear.cylindrical.tip_diameter) {
-    // The tip diameter is not given, so it was computed from the profile shift and the addendum of
-    // the rack. If a thickness allowance raises the root, the error names this allowance. Otherwise
-    // it names the profile shift or, if no shift is given, the addendum.
+    // Attributes an error of the computed tip diameter to a given value. If a thickness allowance
+    // raises the root, the error names the allowance. In all other cases the error names the
+    // profile shift or, if no shift is given, the addendum of the rack.
     const double allowance = gear.cylindrical.thickness_allowance;
     const std::string from = allowance > 0.0      ? "thickness_allowance"
                              : gear.profile_shift ? "profile_shift"

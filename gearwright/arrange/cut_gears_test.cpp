@@ -57,8 +57,8 @@ double half_angle(const Gear& gear, double radius) {
   return std::atan2(p.y(), p.x());
 }
 
-// The thickness of the teeth as cut is π m/2 + 2 x m tan α + E_sn on the reference circle, at both
-// ends of the series and at their mean.
+// On the reference circle, the thickness of the teeth as cut is π m/2 + 2 x m tan α + E_sn. This is
+// tested at both ends of the series and at their mean.
 TEST(CutGears, have_the_thickness_of_a_series_by_the_infeed_of_their_cutter) {
   for (const int teeth : {18, -60}) {
     GearInput gear = shaped(teeth, 25, 0.1);

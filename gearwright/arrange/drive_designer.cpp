@@ -77,7 +77,7 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
     pair.backlash = base.backlash.all;
     stages[k].friction = base.friction;
   }
-  // Without shifts, the centre distances are not yet equal.
+  // The gears have no shifts yet, so their centre distances differ.
   stages.back().pair.coaxial = is_coaxial(problem, c) && !c.shifts.empty();
   stages.front().speeds_rpm = base.speeds_rpm;
   stages.front().torque_Nm = base.torque_Nm;
@@ -236,8 +236,9 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
       held[m] = holds((*safeties)[m], task_.required);
     return held;
   };
-  // The safeties of a mesh depend mainly on its own width. One bisection therefore finds all
-  // widths, in as many steps as for a single mesh.
+  // The safeties of a mesh depend mainly on the width of the same mesh. The widths of all meshes
+  // are therefore found by a single bisection, in as many steps as the width of one mesh would
+  // need.
   std::vector<double> low(meshes, below), least = greatest, middle(meshes);
   for (bool open = true; open;) {
     open = false;

@@ -21,9 +21,10 @@ constexpr std::size_t kEstimateTrains = 64, kLeastForEstimate = 1000;
 // none was lighter than estimated by more than 0.054.
 constexpr double kMassMargin = 0.08;
 
-// The candidates of a search. They are computed in several steps. Each module has its own estimate
-// and its own number of computed candidates. So a search over a list of modules treats the
-// candidates of a module like a search with this module alone.
+// The candidates of a search, which are computed in several steps. Estimates and the number of
+// computed candidates are kept separately for each module. The candidates of a module are therefore
+// treated in the same way in a search over a list of modules and in a search with this module
+// alone.
 class Candidates {
  public:
   Candidates(const DriveDesignTask& task, const std::vector<DriveCandidate>& all, int threads)
@@ -78,8 +79,8 @@ class Candidates {
         threads_);
     for (std::size_t i = 0; i < which.size(); ++i) {
       ++designs.computed;
-      // Until a drive has been rated, an error is attributed to the spec. Afterwards, it concerns
-      // only the candidate, which is left out.
+      // Before the first drive has been rated, an error is attributed to the spec. Later, an error
+      // concerns only the candidate, which is then left out.
       if (auto* error = std::get_if<Error>(&*outcomes[i])) {
         if (!is_rated_) return *error;
         outcomes[i] = DriveFault::safety;
@@ -114,9 +115,11 @@ class Candidates {
     return which;
   }
 
-  // True if a candidate that has not been computed is probably smaller than the last of these
-  // designs, or lighter than the first, by the first objective. The estimated masses are so much
-  // less exact than the sizes that a comparison with the last would compute nearly all candidates.
+  // True if the next candidate that has not been computed may be better than the designs of this
+  // group, by the first objective. A candidate may be better if it is smaller than the last design
+  // of the group or, for the objective mass, lighter than the first design. Masses are not compared
+  // with the last design, because the estimated masses are inexact and nearly all candidates would
+  // be computed.
   bool may_improve(std::span<const FoundDrive> group) {
     while (first_ < all_->size() && made_[first_] != State::open) ++first_;
     if (!problem_.module_per_stage || first_ == all_->size()) return false;
@@ -152,9 +155,9 @@ class Candidates {
 
   bool sorts_by_mass() const { return problem_.objectives.front() == DriveObjective::mass; }
 
-  // Estimates the strength of trains with this module in all stages, from a few rated candidates.
-  // They are rated with their greatest face widths or, if an earlier estimate for each module is
-  // given, with the least widths by this estimate.
+  // Estimates the strength of trains with this module in all stages, from a few candidates that are
+  // rated. The candidates are rated with their greatest face widths. If an earlier estimate for
+  // each module is given, they are rated with the least widths by this estimate.
   TrainStrength strength_of(const std::vector<std::size_t>& which, double module,
                             const std::vector<TrainStrength>& earlier = {}) {
     std::vector<std::optional<RatedTrain>> trains(kEstimateTrains);
@@ -177,11 +180,10 @@ class Candidates {
     return TrainStrength(rated);
   }
 
-  // Gives each stage the least module with which, according to the estimate, it may have the
-  // required safeties. Leaves out a train if a stage has no such module or if the train is too
-  // large, and returns the number of these trains. Sorts the other trains by the first
-  // objective, with the sizes that the estimate gives without its margins, and with the masses of
-  // the least face widths.
+  // Gives each stage the least module with which, by the estimate, the stage may have the required
+  // safeties. A train is left out if a stage has no such module or if the train is too large. The
+  // other trains are sorted by the first objective. Their sizes are estimated without margins, and
+  // their masses with the least face widths. Returns the number of trains that are left out.
   std::size_t choose_first_modules() {
     std::vector<std::size_t> which(all_->size());
     std::iota(which.begin(), which.end(), std::size_t{0});

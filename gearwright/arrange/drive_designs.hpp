@@ -50,14 +50,14 @@ struct DriveDesignTask {
   Progress* progress = nullptr;
 };
 
-/// The candidates that the result lists: the `top` best and, if there are several objectives, up to
-/// `top` more from the Pareto front. They are computed in the order of the candidates. If this
-/// order uses an estimate of the first objective, every kRankedDrives green drives are sorted by
-/// the exact values. A candidate without a green verdict is replaced by the next one, until
-/// kMostComputedDrives candidates of the same module have been computed. Trains are left out if, by
-/// the estimate of design/train_strength.hpp, they cannot have the required safeties, or if the
-/// sliding of one stage exceeds the limit. If each stage may have its own module, it gets the least
-/// one with which it has the required safeties.
+/// Returns the `top` best drives and, if there are several objectives, up to `top` further drives
+/// of the Pareto front. Drives are computed in the order of the candidates. If the order of the
+/// candidates uses an estimate of the first objective, each group of kRankedDrives green drives is
+/// sorted by exact values. A candidate without a green verdict is replaced by the next one, until
+/// kMostComputedDrives candidates of the same module have been computed. A train is left out if the
+/// estimate of design/train_strength.hpp shows that the train cannot have the required safeties, or
+/// if the sliding of one stage exceeds the limit. If each stage may have its own module, the stage
+/// gets the least module with which it has the required safeties.
 ///
 /// Laws      (1) a search over a list of modules finds a drive if a search with one of these modules
 ///           alone finds a drive
@@ -66,8 +66,8 @@ struct DriveDesignTask {
 Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
                                    std::size_t top, int threads);
 
-/// Number of drives that are sorted together by their exact values. It does not depend on `top`,
-/// because the order of the drives must not depend on `top` either.
+/// Number of drives that are sorted together by their exact values. The number is a constant,
+/// because the order of the drives must not depend on `top`.
 inline constexpr std::size_t kRankedDrives = 100;
 /// Greatest number of candidates of each module that are computed.
 inline constexpr std::size_t kMostComputedDrives = 20000;

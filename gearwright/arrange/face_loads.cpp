@@ -62,11 +62,13 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
     if (auto error = judge_load(task_, limit, unused)) return *error;
     const auto scores = loaded_scores(limit);
     if (scores.empty())
-      return Error{"rating.face_load_factor", "\"computed\"",
-                   fmt::format("at {} N m and f_ma = {} µm, teeth do not touch or forces do not "
-                               "converge at some positions; give a number, or stiffer shafts",
-                               format_number(torque), format_number(f_ma)),
-                   FailureKind::not_converged};
+      return Error{
+          "rating.face_load_factor", "\"computed\"",
+          fmt::format(
+              "at {} N m and f_ma = {} µm there are positions at which no teeth touch or the "
+              "forces do not converge; give a number for this factor, or give stiffer shafts",
+              format_number(torque), format_number(f_ma)),
+          FailureKind::not_converged};
     greatest = std::max(greatest, *scores.front().face_load_factor);
   }
   return greatest;
@@ -74,7 +76,8 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
 
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
                                              const Safeties& wanted, FaceLoads& faces) {
-  constexpr double kSameTorque = 2e-6;  // greatest relative difference from the torque of safety
+  // Greatest relative difference between the input torque and the result.
+  constexpr double kSameTorque = 2e-6;
   constexpr int kMostSteps = 12;
   double log_torque = std::log(input.torque);
   std::optional<std::array<double, 2>> before;  // of the last step: ln T, distance

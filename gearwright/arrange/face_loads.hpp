@@ -1,8 +1,8 @@
 // The face load factor from the load along the teeth, `face_load_factor = "computed"` of a rating.
 //
-// The standard computes K_Hβ from the misalignment of flanks without crowning. Here it is the ratio
-// of the greatest to the mean load per length that loaded contact computes, with the modifications
-// of the flanks and the shafts.
+// The standard computes K_Hβ from the misalignment of flanks without crowning. Here, K_Hβ is the
+// greatest load per length divided by the mean load per length. Both loads are computed by the
+// analysis under load, with the modifications of the flanks and the shafts.
 #pragma once
 
 #include <array>
@@ -44,13 +44,15 @@ class FaceLoads {
   };
 
   LoadTask task_;
-  bool default_slices_;                  // true if the number of slices is not given
-  std::vector<Resolution> resolutions_;  // the first is the finest; each of the others is halved
+  bool default_slices_;  // true if the number of slices is not given
+  // the first is the finest; each other one has half the slices.
+  std::vector<Resolution> resolutions_;
 };
 
-/// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. It solves
-/// torque_of_safety(K_Hβ(T)) = T by the secant method for ln T. None if there is no such torque, or
-/// if the load along the teeth cannot be computed at a torque of the iteration.
+/// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. The
+/// equation torque_of_safety(K_Hβ(T)) = T is solved by the secant method for ln T. The result is
+/// none if there is no such torque, or if the load along the teeth cannot be computed at a torque
+/// of the iteration.
 ///
 /// Accuracy  1e-5, relative; the returned torque has the required safeties
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,

@@ -129,8 +129,8 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// The input for a gear whose spec is complete. If the caller resets `profile_shift` in the
-  /// returned input, arrange() computes the profile shift.
+  /// Returns the input for a gear whose spec is complete. To have the profile shift computed by
+  /// arrange(), the caller resets `profile_shift` in the returned input.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;

@@ -54,7 +54,8 @@ std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRati
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
                      const ToleranceCorner& corner, const JudgedWith& with) {
   const auto there = at_corner(arranged, tolerances, corner);
-  if (!there) return {};  // a corner may have no pair although both ends of the tolerances have one
+  // The gears may have no pair at a corner even if they have one at both ends.
+  if (!there) return {};
   JudgedWith of_there;
   const auto rated = with.rating ? rated_again(*there, *with.rating) : std::nullopt;
   if (rated)

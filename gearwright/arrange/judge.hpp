@@ -45,8 +45,8 @@ struct JudgedState {
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
-/// Makes the change that a user would make to follow a proposal of the verdict. Returns false if
-/// the input gives the number in another form, or if another gear determines the number.
+/// Changes the input as a user would do who follows a proposal of the verdict. Returns false if the
+/// input gives the number in another form, or if another gear determines the number.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 /// The verdict on the gears. Messages name members of the input, such as `gear1.profile_shift`.

@@ -223,9 +223,9 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
   }
 }
 
-// The headline gives a thickness allowance and the backlash that follows from it. A drive with this
-// allowance has this backlash, and the finding disappears. This holds also if the teeth already
-// have an allowance, because their centre distance is less than that of the nominal teeth.
+// The headline gives a thickness allowance and the backlash that a drive with this allowance has.
+// With the allowance, the finding disappears. This law also holds for teeth that already have an
+// allowance: their centre distance is less than the centre distance of nominal teeth.
 TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
   for (const double given : {0.0, -0.05}) {
     PlanetarySpec set = example();
@@ -255,7 +255,7 @@ TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
   }
 }
 
-// A backlash that is not called "no backlash" is not printed as 0.
+// If the backlash is greater than 0, the message does not print it as 0.
 TEST(JudgeDrive, TheLeastBacklashIsPrintedWithItsDigits) {
   PlanetarySpec set = example();
   set.allowance.all = -0.00011;

@@ -130,8 +130,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effects that need new compliance tables. These are the effect of a narrow helical face
-// and the effect of bodies that are held at another diameter than solid bodies.
+// Adds two effects that need new compliance tables: the effect of a narrow helical face, and the
+// effect of bodies that are not held at the same diameter as solid bodies.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};
@@ -154,7 +154,7 @@ void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
         {fmt::format("the free ends of a narrow helical face (overlap ratio {:.2f})", overlap),
          as_is / wide});
   if (!solid)
-    factors.push_back({"bodies that are not held at half their root diameter",
+    factors.push_back({"bodies held at another diameter than half the root diameter",
                        wide / drafted(task, torque, narrow ? wider : 1.0, true)});
 }
 
@@ -176,7 +176,7 @@ std::vector<StiffnessFactor> factors_of(const Arranged& arranged, const LoadTask
     without("modifications of the flanks", bare_pair(task, one, two));
   if (standard.low_load > 1.0)
     factors.push_back(
-        {fmt::format("a load below {} N/mm, at which the standard reduces the stiffness", 100),
+        {fmt::format("a load below {} N/mm, for which the standard reduces the stiffness", 100),
          standard.low_load});
   double left = t.without_twist.mean / standard.stiffness;
   for (const StiffnessFactor& f : factors) left /= f.value;

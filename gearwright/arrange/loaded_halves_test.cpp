@@ -97,7 +97,8 @@ TEST(LoadedHalves, RejectInputsWithoutTorque) {
   EXPECT_EQ(field(third), "load.driver");
 }
 
-// If both halves are equal, one of them is computed. The other one is its mirror image, bit by bit.
+// If both halves are equal, only one half is computed. The result of the other half is the exact
+// mirror image, bit by bit.
 TEST(LoadedHalves, AreComputedOnceIfTheyAreEqual) {
   const Sample s = sample(0.0, {50.0, 50.0}, 0.01);
   LoadInput input = torque(300);
@@ -166,10 +167,11 @@ TEST(LoadedHalves, AreExchangedByMirroredErrors) {
   EXPECT_EQ((along - load(two, 1).face_load.reverse()).norm(), 0.0);
 }
 
-// Law (5). The faces are 50 and 34 mm wide, so the halves have their middles at 14 and 10 mm, and
-// the errors move the contact by about 1 mm. If the contact is inside the flanks, the middle of a
-// slice is at most half a slice, h/2, from the point of contact, where the gap is less than
-// C (h/b_B)² of the crowning C. The force of a half is 0.002 N, and a slice is stiffer than 1 N/µm.
+// Law (5). The faces are 50 and 34 mm wide, so the halves have their middles at 14 and 10 mm. The
+// errors move the contact by about 1 mm. If the contact is inside the flanks, a slice has its
+// middle within h/2 of the point of contact, where h is the width of a slice. With a crowning C,
+// the gap in this middle is less than C (h/b_B)². The force of a half is 0.002 N, and a slice is
+// stiffer than 1 N/µm.
 TEST(LoadedHalves, TouchWhereTheyTouchWithoutLoad) {
   constexpr double kCrowning = 0.01, kYield = 2e-6;  // mm
   const ContactErrors errors{.crossing = Angle::degrees(0.01),

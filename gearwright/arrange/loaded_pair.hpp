@@ -1,5 +1,5 @@
-// Computes a pair under torque, and probes of its teeth. This includes the choice of the gear
-// bodies and of the resolution, and a check whether the result can be used.
+// Computes a pair under torque, and the compliance at probes of its teeth. The gear bodies and the
+// resolution are chosen here, and the result is checked for validity.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ struct LoadAnalysis {
   std::vector<LoadAnalysis> halves{};
 };
 
-/// One half of a double-helical pair, which is computed as a separate pair. The half at z < 0 is
-/// replaced by its mirror image.
+/// One half of a double-helical pair. Each half is computed as a separate pair, and the half at z <
+/// 0 is replaced by its mirror image.
 struct HalfPlace {
   bool below = false;
   const PairCompliance* ready = nullptr;  ///< compliance of the other half if both halves have

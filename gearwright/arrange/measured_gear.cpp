@@ -21,8 +21,8 @@ double default_chord_diameter(const Gear& g) {
 
 constexpr int kMostSpans = 31;  // a gear with more usable spans has hundreds of teeth
 
-// Measures a gear. If a tool does not fit, the result is an error for a given tool and a warning
-// for a default tool.
+// Measures a gear with all tools. If a given tool does not fit, the result is an error. If a
+// default tool does not fit, there is only a warning.
 class Measuring {
  public:
   Measuring(const Arranged& arranged, const MeasureRequest& request, std::vector<Warning>& warnings)
@@ -232,9 +232,9 @@ class Measuring {
     return std::nullopt;
   }
 
-  // Sets the tolerances of the axes of the pair. They are computed from the greater of the
-  // helix tolerances of both gears. If the mating gear has no grade, they are computed from the
-  // helix tolerance of this gear.
+  // Sets the tolerances of the axes of the pair. The tolerances are computed from the greater of
+  // the helix tolerances of both gears. If the mating gear has no grade, the helix tolerance of
+  // this gear is used.
   void set_axes(FlankToleranceValues& t) {
     if (!request_.bearing_span) return;
     const int mate = 3 - which_;

@@ -49,15 +49,14 @@ Warning not_read(const std::string& what);
 std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bore,
                                 std::optional<double> groove = {});
 
-/// A warning about the body of a gear. For an external gear, it states that no material remains
-/// between the bore and the roots. For an internal gear, it states that no material remains between
-/// the roots and the rim, or that the rim is too thin for the rim thickness factor of a rating. The
-/// groove of a double-helical gear, with the diameter `groove` mm, also limits the body.
+/// A warning about the body of a gear. For an external gear, the warning states that the bore
+/// leaves no material below the roots. For an internal gear, it states that the rim leaves no
+/// material outside the roots, or that the rim is too thin for the rim thickness factor of a
+/// rating. In a double-helical gear, the groove with the diameter `groove` mm also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
-/// Warns if the gears jam, see jams(). `touched` is a part of the message. It names the
-/// surfaces that are in contact at the same time, for example "both flanks of a tooth space
-/// are".
+/// Warns if the gears jam, see jams(). `touched` is a part of the message. The text names the
+/// surfaces that are in contact at the same time, for example "both flanks of a tooth space are".
 void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings);
 

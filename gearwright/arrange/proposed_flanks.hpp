@@ -90,8 +90,8 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      const LeadProposal* lead = nullptr);
 
 /// The deflection that the shafts have under a torque on gear 1, N mm, plus the given
-/// deflection. The load is assumed to be uniform over the face, because the helix slope that
-/// compensates the deflection makes it uniform.
+/// deflection. The load is assumed to be uniform over the face, because the proposed helix slope
+/// compensates the deflection and thus makes the load uniform.
 ///
 /// Formula   [T12.31], [T12.37]
 /// Domain    a pair with line contact, and its compliance (contract)

@@ -49,8 +49,8 @@ TEST(ProposedFlanks, RootReliefOfGear1ReplacesTheTipReliefOfGear2) {
       const auto relief = propose_relief(arranged, task, *compliance, ReliefLength::long_relief);
       ASSERT_TRUE(relief && *relief);
       const ReliefProposal& p = **relief;
-      // With this amount, the tip carries no load before the start of the path, where a root relief
-      // would still continue.
+      // With this amount, the tip carries no load in front of the start of the path. A root relief
+      // would continue beyond the start of the path.
       const double amount = 1.2 * p.deflection[1];
       const auto loaded_with = [&](const PairModifications& m) {
         LoadTask own = task;

@@ -146,10 +146,10 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
-// Keeps the profile shift of the nominal gear, even if it was computed from the nominal centre
-// distance. If the gear has a cutter and its tip diameter is not given, removes the tip diameter of
-// the nominal gear instead, so that it is computed again. The tip diameter of such a gear depends
-// on the distance of the cutter and therefore on the thickness allowance.
+// Keeps the profile shift of the nominal gear, even if this shift was computed from the nominal
+// centre distance. If the gear has a cutter, the tip diameter depends on the distance of the cutter
+// and thus on the thickness allowance. If such a gear has no given tip diameter, the tip diameter
+// of the nominal gear is removed, so that a new tip diameter is computed.
 void follow_nominal(const Arranged& nominal, std::size_t i, GearInput& gear) {
   if (!gear.cut_by && nominal.gears[i].involute()) {
     gear.profile_shift = nominal.gears[i].spec.profile_shift;
@@ -190,8 +190,8 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   return given;
 }
 
-// Attributes an error of the gears at one end of their tolerances to the tolerance that causes it,
-// because the user has not given the value at this end.
+// The user gives a tolerance, and not the values at its ends. An error of the gears at an end is
+// therefore attributed to the tolerance.
 Error of_tolerance(const Error& error, const GivenPair& given) {
   const auto [which, member] = subject_of(error.field);
   const auto from = [&](const std::string& field) {

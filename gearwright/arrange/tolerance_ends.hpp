@@ -5,9 +5,9 @@
 // range of a tolerance, backlash, contact ratio, clearances, tip thickness and safeties are
 // monotonic in each toleranced number. The least and the greatest value of each quantity
 // therefore occur at a combination of ends, which is called a corner. For example, the tip is
-// thinnest on a thin tooth with a great tip diameter. This is neither of the two ends of the
-// gear, because its thinnest tooth is combined with the shortest tip, and its thickest tooth
-// with the longest tip.
+// thinnest on a thin tooth with a great tip diameter. This combination is neither of the two ends
+// of the gear: one end has the thinnest tooth with the shortest tip, and the other end has the
+// thickest tooth with the longest tip.
 #pragma once
 
 #include <memory>

@@ -91,8 +91,8 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
     return refused("double_helical.hob_diameter", d, {2 * h},
                    "must be greater than {} mm, twice the depth of the teeth");
   }
-  // One hob cuts both halves. It is swivelled by |β| − γ_0 for the half that has the hand of
-  // the hob, and by |β| + γ_0 for the other half. The gap must be wide enough at both swivel
+  // One hob cuts both halves. For the half that has the hand of the hob, the hob is swivelled by
+  // |β| − γ_0, and for the other half by |β| + γ_0. The gap must be wide enough at both swivel
   // angles.
   double run_out = 0.0;
   for (const double side : {-1.0, 1.0}) {

@@ -67,10 +67,11 @@ Result<Contour> closed_contour(const Outline& outline) {
       // If there is only one tooth, the middle of the space is the negative x axis. The condition y
       // < 0 then covers both centre lines.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
-        return Error{"teeth", std::to_string(outline.teeth),
-                     "the outline of the tooth crosses the centre line of the tooth or the tooth "
-                     "space, so it does not enclose a body; less undercut (a greater profile shift "
-                     "or more teeth) would help"};
+        return Error{
+            "teeth", std::to_string(outline.teeth),
+            "the outline of the tooth crosses the centre line of the tooth or of the tooth space, "
+            "so the outline does not enclose a body; less undercut (a greater profile shift "
+            "or more teeth) would help"};
       }
     }
   }

@@ -17,8 +17,8 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
     return KeyFault{std::string(error_entries()[i].key),
-                    fmt::format("is one range too many; at most {} ranges are possible, because "
-                                "all combinations of their ends are computed",
+                    fmt::format("exceeds the limit of {} ranges; the limit exists because all "
+                                "combinations of the ends of the ranges are computed",
                                 kMaxRanges)};
   }
   return std::nullopt;

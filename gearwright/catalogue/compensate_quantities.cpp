@@ -95,10 +95,12 @@ void add_compensation(Quantities<CompensateView>& q) {
   q.record<correction_quantities>("corrections", "corrections that were found",
                                   &CompensateView::corrections)
       .doors(kJson);
-  q.record<score_quantities>("before", "worst scores over all scenarios, without corrections",
+  q.record<score_quantities>("before",
+                             "worst value of each score over all scenarios, without corrections",
                              &CompensateView::before)
       .doors(kJson);
-  q.record<score_quantities>("after", "worst scores over all scenarios, with the corrections",
+  q.record<score_quantities>("after",
+                             "worst value of each score over all scenarios, with the corrections",
                              &CompensateView::after)
       .doors(kJson);
   q.word("aim", "minimised quantity", "value of the key `aim`",
@@ -109,20 +111,22 @@ void add_compensation(Quantities<CompensateView>& q) {
       .when(loaded)
       .doors(kJson);
   q.record<load_quantities_of_aim>(
-       "under_load", "one entry for each torque, with the worst scores over all scenarios",
+       "under_load",
+       "one entry for each torque, with the worst value of each score over all scenarios",
        &CompensateView::loads)
       .when(loaded)
       .doors(kJson);
   q.flag("nothing_to_correct", "no correction needed",
-         "true if every correction is 0, because none of them gains 0.001 arcsec (0.1 MPa for "
-         "`pressure`)",
+         "true if every correction is 0, because no correction improves the result by 0.001 arcsec "
+         "(for `pressure`, by 0.1 MPa)",
          &CompensateView::nothing_to_correct)
       .doors(kJson);
   q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
            "value of the key `centering_arcsec`, or its default [T8.24]",
            &CompensateView::centering)
       .doors(kJson);
-  q.record<scenario_quantities>("scenarios", "each scenario with its scores",
+  q.record<scenario_quantities>("scenarios",
+                                "each scenario (combination of errors) with its scores",
                                 &CompensateView::scenarios)
       .doors(kJson);
   q.under(kSetting);

@@ -69,7 +69,7 @@ TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem unit
 
 std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
                                        std::optional<std::size_t> marked) {
-  TextTable amounts{"Amounts, reliefs rounded upwards", {}};
+  TextTable amounts{"Amounts of the modifications; reliefs are rounded up", {}};
   std::vector<std::string> names;
   std::vector<ValueRecord> worst, at_limits;
   for (std::size_t i = 0; i < view.proposals.size(); ++i) {

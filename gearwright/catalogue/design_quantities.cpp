@@ -95,8 +95,9 @@ void add_place(Quantities<DesignView>& q) {
       .column("x#")
       .digits(4);
   q.word("point", "position of the profile shifts in the region",
-         "`eq11` is a point on the line of Eq. 11, away from the borders of the region; `lo_hi` is "
-         "a point in the middle of the region, used if the line misses the region",
+         "`eq11` is a point on the line of balanced strength [T2.18a], away from the borders of "
+         "the region; `lo_hi` is a point in the middle of the region, used if the line does not "
+         "cross the region",
          [](const DesignView& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
       .column("point")
@@ -114,7 +115,7 @@ void add_place(Quantities<DesignView>& q) {
 
 void add_design_contact(Quantities<DesignView>& q) {
   q.number("contact_ratio", "transverse contact ratio", "ε_α",
-           "by Eq. 10, or for crossed axes AE/p_bn",
+           "between the tips, by Eq. 10 of [T2.19]; for crossed axes, AE/p_bn",
            [](const DesignView& v) { return v.row->contact_ratio; })
       .column("contact_ratio")
       .greater_first()
@@ -252,7 +253,7 @@ void add_strength(Quantities<DesignView>& q) {
 
 void add_ranks(Quantities<DesignView>& q) {
   q.term("efficiency",
-         "if gear 1 drives and there are no losses except flank friction [T4.27]; only with "
+         "efficiency with gear 1 driving, if flank friction is the only loss [T4.27]; only with "
          "`friction_coefficient` or `objective` = `efficiency`; null if the contact ratio is less "
          "than 1 or gear 1 cannot drive",
          [](const DesignView& v) { return v.row->efficiency; })

@@ -248,11 +248,11 @@ namespace {
 
 Key stage_angle() {
   Key key = formed("angle_deg", "a number, or `\"coaxial\"` in the last stage",
-                   "the value of the stage before",
+                   "the value of the previous stage",
                    "direction from the axis of the first gear of a pair to the axis of the second, "
                    "counter-clockwise; 0 for the first stage. `\"coaxial\"` computes the direction "
-                   "that leads back to the axis of the input and, if necessary, an absent angle of "
-                   "the stage before");
+                   "that leads back to the axis of the input. If necessary, it also computes the "
+                   "absent angle of the previous stage");
   key.kind = KeyKind::number;
   key.range = KeyRange::between(-360, 360);
   key.words = {"coaxial"};
@@ -342,10 +342,10 @@ const KeyTable& drive_keys() {
        torque_key({&I::graph, &DriveGraph::torque_Nm}),
        power_key<I>([](I & i) -> auto& { return i.graph; }),
        Key::number("speed_m_per_s", "v", {}, &I::speed_m_per_s, "",
-                   "speed of the input if it is a rack, in place of `speed_rpm`")
+                   "speed of an input that is a rack, in place of `speed_rpm`")
            .with_form("a number"),
        Key::number("force_N", "F", {}, &I::force_N, "",
-                   "force on the input if it is a rack, in place of `torque_Nm`")
+                   "force on an input that is a rack, in place of `torque_Nm`")
            .with_form("a number"),
        spacing_key({&I::graph, &DriveGraph::spacing}),
        friction_key({&I::graph, &DriveGraph::friction}),

@@ -74,8 +74,9 @@ void add_found(Quantities<F>& q) {
            "with `objective` = `noise`",
            [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
-           "greatest of the diameters over the planets, over the suns and over the root circles of "
-           "the rings, without profile shifts and without the rims of the rings; for a train, sum "
+           "greatest diameter of the set, measured over the planets, over the suns and over the "
+           "root circles of the rings, without profile shifts and without the rims of the rings; "
+           "for a train, sum "
            "of the centre distances; null without a module",
            [](const F& f) { return has_module(f) ? Value(f.candidate.size) : Value(); });
   q.number("size_modules", "size in modules", "",

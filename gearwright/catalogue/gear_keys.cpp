@@ -337,9 +337,9 @@ const KeyTable& double_helical_keys() {
                      "for an internal gear",
                      "diameter of the gear within the gap")
            .with_needs({"gap_mm"}),
-       Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",
-                     "outer diameter of the hob; if its run-out needs a wider gap, there is a "
-                     "warning [T2.43]"),
+       Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "the run-out is not computed",
+                     "outer diameter of the hob; if the run-out of the hob needs a wider gap, "
+                     "there is a warning [T2.43]"),
        Key::number("hob_lead_angle_deg", "γ_0", KeyRange::between(0, 30), &D::hob_lead_angle, "0",
                    "lead angle of the hob")
            .with_needs({"hob_diameter_mm"}),

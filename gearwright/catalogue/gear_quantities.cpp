@@ -29,8 +29,9 @@ void add_halves(Quantities<Halves>& q) {
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);
   q.number("axial_shift_per_index_error", "axial shift per index error", "Δz/e",
-           "1/(2 tan |β|); a floating gear shifts by this multiple of an index error and "
-           "distributes the error between the halves [T2.44]",
+           "1/(2 tan |β|); if there is an index error between the halves, a floating gear shifts "
+           "along its axis by this multiple of the error, so that both halves have the same share "
+           "of the error [T2.44]",
            &H::axial_shift_per_index_error);
 }
 
@@ -244,7 +245,8 @@ void add_flank_limits(Quantities<Gear>& q) {
          [](const Gear& g) { return g.tooth && g.tooth->through_axis; })
       .doors(kJson);
   q.flag("tip_cut_by_rack", "tip cut by the rack",
-         "true if the bottom land of the cutter limits the tooth instead of the blank",
+         "true if the tooth ends at the bottom land of the cutter, below the tip diameter of the "
+         "blank",
          [](const Gear& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
 }

@@ -81,12 +81,13 @@ const KeyTable& material_keys() {
     return KeyTable{
         "material",
         "Material of the teeth, for `rate`",
-        {Key::text("name", &MaterialInput::name, "the material is described by its values",
-                   "name of a row of the table of materials, for example \"18CrNiMo7-6\"; any name "
-                   "is allowed if the values are given")
+        {Key::text("name", &MaterialInput::name,
+                   "the values of the material are given instead of a name",
+                   "name of a material in the table of materials, for example \"18CrNiMo7-6\"; any "
+                   "name is allowed if the values are given")
              .with_also({"steel", "grade", "material"}),
          Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind,
-                   "value of the named row",
+                   "value in the table of materials",
                    "kind of material by ISO 6336-5 (Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG "
                    "(perl., bai.), GGG (ferr.), GTS)")
              .with_also({"type", "treatment", "heat_treatment"}),
@@ -100,17 +101,17 @@ const KeyTable& material_keys() {
                        "7830, or 7300 for cast iron; plastics have no default",
                        "density, for the mass and for the resonance of the mesh"),
          Key::positive("sigma_Hlim_MPa", "σ_Hlim", &MaterialInput::sigma_Hlim,
-                       "value of the named row",
+                       "value in the table of materials",
                        "allowable contact stress number of the reference test gears")
              .with_also({"sigma_h", "contact_strength", "hlim"}),
          Key::positive("sigma_Flim_MPa", "σ_Flim", &MaterialInput::sigma_Flim,
-                       "value of the named row",
+                       "value in the table of materials",
                        "nominal allowable bending stress number, which does not include Y_ST = 2")
              .with_also({"sigma_f", "bending_strength", "flim"}),
          Key::number("surface_hardness_HV", "", KeyRange::between(50, 1200),
-                     &MaterialInput::surface_hardness, "value of the named row",
-                     "Vickers hardness of the surface; for a named row the hardness also "
-                     "determines the stress limits")
+                     &MaterialInput::surface_hardness, "value in the table of materials",
+                     "Vickers hardness of the surface; for a material of the table, the hardness "
+                     "also determines the stress limits")
              .with_also({"hardness", "hv"}),
          Key::positive("yield_strength_MPa", "R_e", &MaterialInput::yield_strength,
                        "Y_δrelT = 1 for a tempered or normalized steel",

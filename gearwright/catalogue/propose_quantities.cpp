@@ -147,11 +147,11 @@ const Quantities<ProposeView>& propose_quantities() {
   using V = ProposeView;
   return define("propose", [](Quantities<V>& q) {
     q.under("Origin of the amounts");
-    q.term("torque_Nm", "greatest of the given torques; the amounts are computed for it",
+    q.term("torque_Nm", "greatest of the given torques, for which the amounts are computed",
            [](const V& v) { return newton_metres(v.torque); });
     q.number("tip_deflection_um", "deflection at the tip", "C_i",
-             "least short tip relief that keeps the tip free of load, for the helix modifications "
-             "of the spec [T12.27]; null without reliefs",
+             "least amount of a short tip relief with which the tip carries no load, for the helix "
+             "modifications of the spec [T12.27]; null without reliefs",
              [](const V& v) {
                const auto& c = v.short_deflection;
                return c ? Value(std::array{(*c)[0] * kUmPerMm, (*c)[1] * kUmPerMm}) : Value();

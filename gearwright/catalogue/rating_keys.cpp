@@ -242,10 +242,12 @@ const KeyTable& rating_keys() {
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
-                     "none; results that need a value use 1", "required safety of the flanks")
+                     "none; results that depend on this safety use 1",
+                     "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
-                     "none; results that need a value use 1", "required safety of the roots")
+                     "none; results that depend on this safety use 1",
+                     "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "

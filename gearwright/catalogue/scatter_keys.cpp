@@ -131,8 +131,8 @@ const KeyTable& scatter_keys() {
        Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
                    &ScatterInput::loaded_samples, "256",
                    "greatest number of samples under load, for all replicates together. The number "
-                   "of samples of each replicate is the greatest power of two that this limit and "
-                   "`samples` allow, but at least one"),
+                   "of samples of each replicate is the greatest power of two that exceeds neither "
+                   "this limit divided by `replicates` nor `samples`; it is at least 1"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &ScatterInput::quality,
            "`[gearN.tolerance] quality`",

@@ -206,7 +206,7 @@ std::vector<TextTable> robust_tables(const RobustView& r, UnitSystem units) {
   if (std::all_of(r.corrections.begin(), r.corrections.end(),
                   [](const FoundCorrection& c) { return c.value == 0.0; }))
     found.notes.emplace_back("No correction in the searched range lowers the percentile.");
-  TextTable aim{"Samples that the search did not use", both};
+  TextTable aim{"Comparison with samples that the search did not use", both};
   const JudgedFamily &before = *r.before.family, &after = *r.after.family;
   aim.rows.push_back(estimate_row(units, scatter_entries()[0], point + " of this error",
                                   {before.percentile().estimate, after.percentile().estimate}));

@@ -45,9 +45,9 @@ double lagrange_slope(int i, double x) {
 }
 
 // A range of columns, begin … begin + count − 1. All columns of a matrix of loads outside the range
-// are zero. The range consists of whole panels of kPanel columns and has more than one column. In
-// other ranges, Eigen would add up the terms of a product in another order, and zeros in other
-// columns would change the rounding of a column.
+// are zero. The range must consist of whole panels of kPanel columns and must have more than one
+// column. Only then does Eigen add up the terms of a product in the same order as for the whole
+// matrix. With other ranges, columns of zeros would change the rounding of the other columns.
 struct LoadedColumns {
   Index begin = 0, count = 0;
 
@@ -131,8 +131,8 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // O is the block of the system matrix below the diagonal block of this node. The factor has the
-    // block M = O L⁻ᵀ at the same place.
+    // O is the block of the system matrix below the diagonal block of this node. At the same
+    // position, the factor contains the block M = O L⁻ᵀ.
     const MatrixXd transposed =
         factor_.back().triangularView<Eigen::Lower>().solve(element_->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());

@@ -35,13 +35,13 @@ class Face {
   Eigen::VectorXd mean(double lo, double hi) const;
   /// Solves in place: each column contains a load and is replaced by the amplitudes under this
   /// load. A column lists all modes at the first node, then all modes at the second, and so on.
-  /// In the result, the amplitudes at the inner nodes of an element lack the part that the
-  /// amplitudes at its ends cause.
+  /// In the result, the amplitudes at the inner nodes of an element are incomplete, because they do
+  /// not contain the effect of the amplitudes at the ends of the element.
   void solve(Eigen::MatrixXd& columns) const;
-  /// Returns `weights`ᵀ times the amplitudes at each node, including the missing part at the
-  /// inner nodes. `columns` is a result of solve().
+  /// Returns `weights`ᵀ times the amplitudes at each node, including the effect that is missing at
+  /// the inner nodes. `columns` is a result of solve().
   Eigen::MatrixXd read(const Eigen::MatrixXd& weights, const Eigen::MatrixXd& columns) const;
-  /// Adds the missing part of the amplitudes at the inner nodes to a result of solve().
+  /// Adds the effect that is missing at the inner nodes to a result of solve().
   void complete(Eigen::MatrixXd& columns) const;
 
  private:

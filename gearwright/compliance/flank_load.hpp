@@ -35,8 +35,8 @@ struct BumpPlace {
   double s, c;
 };
 
-/// The bump at s, with its force along the inward normal of the flank. If τ ≠ 0, this is the normal
-/// of the screw surface.
+/// The bump at s, with its force along the inward normal of the flank. For a helical gear (τ ≠ 0),
+/// the normal of the screw surface is used.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
 Functional axial_bump(const SectionMesh& mesh, double s, double c);
 /// Moves the functional from tooth 0 to tooth k.

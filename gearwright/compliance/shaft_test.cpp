@@ -16,7 +16,8 @@ namespace gearwright {
 namespace {
 
 using Eigen::Index;
-// Short elements between close neighbours reduce the accuracy, so the oracle uses `long double`.
+// The oracle uses `long double`, because short elements between close neighbours reduce the
+// accuracy.
 using BeamScalar = long double;
 using BeamMatrix4 = Eigen::Matrix<BeamScalar, 4, 4>;
 using BeamVector4 = Eigen::Matrix<BeamScalar, 4, 1>;

@@ -11,9 +11,9 @@ namespace {
 constexpr int kPlaces = 8;     // positions along the flank
 constexpr int kRadii = 400;    // steps of radius_lengths, interpolation error 1e-5 modules
 constexpr double kBump = 0.3;  // modules: half width of a bump
-// Modules: distance of the lowest position on the flank from the start of the flank.
+// Distance of the lowest position on the flank from the start of the flank, modules.
 constexpr double kFromRoot = 0.12;
-// Modules: distance of the highest position from the end of the flank. The tables are extrapolated
+// Distance of the highest position from the end of the flank, modules. The tables are extrapolated
 // beyond this position.
 constexpr double kFromTip = 0.16;
 // Greatest half width of a bump, relative to the distance of the bump from the end of the flank.
@@ -53,9 +53,9 @@ SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccura
     o.to_tip = 1.75;
     o.to_outline = 1.6;
   }
-  // The flanks of an internal gear are longer, and their deflection near the root is small. For 40
-  // teeth, the options above cause an error of 2.4 % at the root. The following options cause an
-  // error of 1 % at the root, and of 0.4 % at a fifth of the flank above the root.
+  // The flanks of an internal gear are longer, and their deflection near the root is small. With
+  // the options above, the error at the root is 2.4 % for 40 teeth. With the following options, the
+  // error is 1 % at the root, and 0.4 % at a fifth of the flank above the root.
   if (gear.internal()) {
     o.flank += 2;
     o.rim = 3;

@@ -16,8 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kTableElement = 0.5;  // modules: length of an element along the face
-// Modules: at greater distances from the end of the face, the mirror images of bump and strip cause
-// equal displacements.
+// At distances from the end of the face above this limit, modules, the mirror images of bump and
+// strip cause equal displacements.
 constexpr double kImageReach = 2.0;
 // The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }

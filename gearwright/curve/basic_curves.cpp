@@ -34,7 +34,7 @@ double Involute::roll_at(double rho) const {
   return std::sqrt(std::max(0.0, square)) / base_radius_;
 }
 
-// In this form nothing cancels. The argument of a point near ξ = 0 would lose digits.
+// This form has no cancellation. The argument of the point would lose digits near ξ = 0.
 double Involute::polar_angle(double xi) const { return base_half_angle_ - involute_of_roll(xi); }
 
 double Involute::parameter_at_radius(double rho, double t_lo, double t_hi) const {

@@ -28,8 +28,8 @@ inline Complex times(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// A point W = factor · e^{i phase} of a curve. Factor and phase are stored separately. Therefore,
-/// the phases of flank, lead and rotation can be added before sine and cosine are computed.
+/// A point W = factor · e^{i phase} of a curve. Factor and phase are stored separately, so that the
+/// phases of flank, lead and rotation can be added before sine and cosine are computed.
 struct PolarJet {
   Complex factor;  ///< mm
   double phase;    ///< rad

@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Successive positions at which the same tooth pair is in contact. Either the contact is at an
-/// edge at all these positions, or it is within the flanks at all of them.
+/// Successive positions at which the same tooth pair is in contact. The kind of contact does not
+/// change within a run: the contact is always at an edge, or it is always within the flanks.
 struct TeRun {
   int pair = 0;  ///< k, number of the tooth pair
   bool edge = false;

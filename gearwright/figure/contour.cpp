@@ -61,9 +61,9 @@ class Framed {
   double level_;
 };
 
-// Adds the pieces of the border in one cell. A path counter-clockwise around the cell leaves the
-// region at some edges and enters it at others. Each piece of the border leads from an edge where
-// the path leaves to an edge where it enters.
+// Adds the pieces of the border in one cell. A path that goes counter-clockwise around the cell
+// leaves the region at some edges and enters it at others. Each piece of the border begins at an
+// edge where the path leaves the region and ends at an edge where the path enters it.
 void add_cell(const Framed& grid, std::size_t row, std::size_t column,
               std::map<std::size_t, std::size_t>& next) {
   const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),

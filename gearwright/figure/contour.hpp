@@ -1,9 +1,9 @@
 // Computes the regions of a raster in which the values are below a level, by marching squares.
 //
-// The nodes of a raster are (column, row). The value is linear between two nodes. An infinite node
-// is above every level. The border of a region runs halfway between such a node and its finite
-// neighbour. A region that reaches the edge of the raster ends there. Steps of values are shown in
-// ten shades from dark (low) to bright (high).
+// The nodes of a raster are (column, row). The value is linear between two nodes. A node with an
+// infinite value is above every level, and the border of a region runs halfway between such a node
+// and its finite neighbour. A region that reaches the edge of the raster ends there. Values are
+// shown in ten shades, from dark (low) to bright (high).
 #pragma once
 
 #include <cstddef>

@@ -158,8 +158,8 @@ TEST(DriveFigures, CurvesUnderLoadLieWithinTheAxes) {
   EXPECT_FALSE(displacement_figure(drive, 0));
 }
 
-// Above its pinion or below it, a rack is drawn where the pitch circle of the pinion ends, and its
-// words are beyond its back.
+// A rack is drawn at the end of the pitch circle of its pinion, either above the pinion or below
+// it. The words of the rack are beyond its back.
 TEST(DriveFigures, ASchemeOfARackHasItsBarAndItsWords) {
   for (const double module : {0.0, 2.0}) {
     for (const double direction : {0.0, 3.0}) {

@@ -17,8 +17,7 @@ constexpr double kBar = 0.05;  // half the width of a node, relative to the dist
 constexpr double kAir = 0.62;  // gap between nodes, relative to the distance between columns
 constexpr double kShown = 0.006;  // least width of a band, relative to the height of the diagram
 constexpr int kPieces = 24;
-// px: the picture width for which the names are spaced, and the step by which names are moved
-// up
+// Width of the picture for which the names are spaced, and step by which names are moved up, px.
 constexpr double kWidth = 616.0, kLift = 18.0;
 
 // A body or a mesh. Powers are shares of the input power.
@@ -34,7 +33,8 @@ struct Node {
 struct Band {
   std::size_t from, to;
   double power;
-  bool back = false;                   // from a later column to an earlier one
+  // True if the band runs from a later column to an earlier one.
+  bool back = false;
   double leaves = 0.0, arrives = 0.0;  // y of the centre line of the band at `from` and at `to`
 };
 
@@ -83,8 +83,8 @@ class PowerDiagram {
     }
   }
 
-  // Puts each node in a column after the columns of all nodes from which it gets power. A band that
-  // closes a loop is marked as `back` and does not count here.
+  // Puts each node in a column to the right of all nodes from which it gets power. A band that
+  // closes a loop is marked as `back` and has no effect on the columns.
   void find_columns() {
     std::vector<int> state(nodes_.size(), 0);  // 1: being visited, 2: done
     std::vector<std::size_t> order;

@@ -232,9 +232,9 @@ class Scheme {
     });
   }
 
-  // The position of the bell of a ring, which is beyond the slots of the ring. If the body is
-  // an input, the output or fixed, the bell is on the side on which its shaft ends. Otherwise
-  // it is on the side of the other gears of the body.
+  // The position of the bell of a ring. The bell is beyond the slots of the ring. If the body is an
+  // input, the output or fixed, the bell is on the side on which the shaft of the body ends.
+  // Otherwise, the bell is on the side of the other gears of the body.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }
@@ -404,7 +404,7 @@ class Scheme {
   std::vector<double> radii_;             // radius of each gear, in units of the picture
   std::vector<std::vector<Rise>> rises_;  // rises of each body
   std::vector<std::pair<double, double>>
-      beyond_;  // of some words: their height, and their px above (> 0) or below it
+      beyond_;  // px by which some words extend beyond a height, above (> 0) or below it
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;
   double left_most_ = 0.0, right_most_ = 0.0;
 };

@@ -76,9 +76,9 @@ struct FigureMark {
   /// drawn only if there is room. The label of a dot is tried first at `offset` and −`offset`.
   std::string label = {};
   std::string label_style = {};
-  /// For a line, true if it is the border of an area. The label is then on the right side of
-  /// the line, or inside the area. For a bar, true if labels must avoid its whole area, false
-  /// if they avoid only its outline.
+  /// For a line, true if the line is the border of an area. The label is then on the right side of
+  /// the line, or inside the area. For a bar, true if labels must avoid the whole area of the bar,
+  /// and false if they must avoid only its outline.
   bool border = false;
   double turned = 0.0;     ///< rotation of a shape, degrees counter-clockwise
   double per_pitch = 0.0;  ///< rotation of a shape, degrees clockwise, per pitch of gear 1

@@ -132,9 +132,9 @@ class Labels {
     return places;
   }
 
-  // Most positions are outside the area. They are on the right of its border, because borders run
-  // counter-clockwise. A position on the left is used only if it lies within an area. In a narrow
-  // region, it could otherwise lie beyond the opposite edge.
+  // Borders run counter-clockwise, so a position on the right of a border is outside the area. Most
+  // labels have such a position. A position on the left is used only if it lies inside an area. In
+  // a narrow region, it could otherwise lie beyond the opposite border.
   Places beside_border(const FigureMark& m) const {
     const std::vector<Vec2> line = px(m.points);
     Places places;

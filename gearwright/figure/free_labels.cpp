@@ -12,8 +12,9 @@ constexpr double kLineHeight = 19.0;   // px, height of a line of words on a nar
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
 constexpr int kBoxWeight = 8;          // weight of an overlap with a box; a crossed line has 1
 constexpr int kOutside = 1000;
-// px. If a label must be drawn in any case, every kNear px between the label and its point
-// count as one crossed line, because a reader could assign a distant label to another point.
+// A label that must be drawn in any case may be far from its point, so that a reader could assign
+// it to another point. Each distance of kNear px between the label and its point therefore counts
+// as one crossed line.
 constexpr double kNear = 18.0;
 
 PixelBox box_of(const LabelPlace& place, double width) {

@@ -191,10 +191,11 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const auto units = [&](double mm) { return std::lround(mm / outline_unit_mm(gear)); };
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
-  // A chord inside the root circle closes the fill of a tooth. The chord is invisible, because a
-  // disc fills the root circle. If the chord would cross a bore, an arc of the root circle closes
-  // the fill instead. The shape inherits its colours from the element that uses it. The attribute
-  // vector-effect must be set here, because style sheets do not apply inside the shape.
+  // The fill of a tooth is closed by a chord inside the root circle. The chord is invisible,
+  // because a disc fills the root circle. If the chord would cross a bore, the fill is closed by an
+  // arc of the root circle instead. The shape inherits its colours from the element that uses it.
+  // The attribute vector-effect must be set here, because style sheets do not apply inside the
+  // shape.
   std::string text;
   if (!gear.internal()) {
     if (chord_crosses_bore(gear)) {

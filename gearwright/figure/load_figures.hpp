@@ -32,12 +32,12 @@ std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
 /// given.
 std::optional<Figure> harris_figure(const LoadScene& scene);
 
-/// The greatest pressure during a mesh at each place of a flank of gear `which` (0, 1). The raster
-/// contains pressures in MPa instead of gaps. The pressure is 0 at places without contact.
-/// Pressures are interpolated linearly between positions and slices.
+/// The greatest pressure during a mesh at each point of a flank of gear `which` (0, 1). The raster
+/// contains pressures in MPa instead of gaps. The pressure is 0 at points that are never in
+/// contact. Pressures are interpolated linearly between positions and between slices.
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 
-/// The greatest pressure at each place of a flank during a mesh. For each position of the slider,
+/// The greatest pressure at each point of a flank during a mesh. For each position of the slider,
 /// the figure shows the loaded contact lines. A second figure shows the pressure along the face.
 ///
 /// Domain    teeth that touch along lines (contract)

@@ -39,8 +39,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// The greatest pressure at a radius. A mating edge may pass a radius twice, once outwards and once
-// inwards. The greater value is then used.
+// The greatest pressure at a radius. If a mating edge passes the radius both outwards and inwards,
+// the greater of both pressures is used.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -56,8 +56,8 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The line on which a tooth pair carries load, in one or several pieces. Each point is (height of
-// slice j along the face of gear `which`, of(j)).
+// The line on which a tooth pair carries load. It has one or several pieces. A point of the line is
+// the height of slice j along the face of gear `which`, and the value of(j).
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
                                  const Of& of) {

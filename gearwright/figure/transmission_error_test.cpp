@@ -21,13 +21,15 @@ ContactPoint point(double rotation, double te, int pair, TouchKind kind = TouchK
   return p;
 }
 
-// Of two straight curves, the greater value counts, so the runs meet at the intersection, 1.75.
+// The two curves are straight, and the greater of their values counts. The runs therefore meet at
+// the intersection of the curves, 1.75.
 TEST(TeRuns, TheHandoverIsWhereTheCurvesCross) {
   const auto a = [](double x) { return 10.0 - 2.0 * x; };
   const auto b = [](double x) { return 3.0 + 2.0 * x; };
   std::vector<ContactPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back(a(i) > b(i) ? point(i, a(i), 0) : point(i, b(i), 1));
-  // The value is low, so that the intersection is not below the range of values.
+  // te_runs() moves intersections outside the range of the values to its ends. The low value of
+  // this point extends the range, so that the intersection at 6.5 lies inside.
   points.push_back(point(-1, a(2.0) - 5.0, 9));
   std::rotate(points.begin(), points.end() - 1, points.end());
   const auto runs = te_runs(points);

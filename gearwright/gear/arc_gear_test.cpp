@@ -57,8 +57,8 @@ TEST(ArcGear, has_diameters_of_its_rack_and_no_involute) {
 }
 
 // The point of the rack's edge on the pitch line cuts the point of the flank on the pitch circle.
-// The distances of these points from the centre line, along the line and along the circle, are
-// equal.
+// Both points have the same distance from the centre line, measured along the pitch line and along
+// the pitch circle.
 TEST(ArcGear, thickness_on_the_reference_cylinder) {
   for (const double allowance : {0.0, -0.08}) {
     for (const Cutter cutter : {Cutter::F, Cutter::P}) {
@@ -115,7 +115,8 @@ TEST(ArcGear, pointed_diameter) {
   }
 }
 
-// If the blank is too large, the bottom land of the rack, which follows the arcs, ends the tooth.
+// If the blank is too large, the bottom land of the rack ends the tooth. The bottom land follows
+// the arcs.
 TEST(ArcGear, the_arcs_end_tops_the_tooth) {
   CylindricalSpec s = spec_of(Cutter::P, 60);
   s.tip_diameter = made(s).reference_diameter + 4.0;

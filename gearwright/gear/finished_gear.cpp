@@ -52,7 +52,7 @@ double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
-// The end of a sentence about undercut. It names the cause of the undercut or a remedy for it.
+// The end of a sentence about undercut. It gives the cause of the undercut or a remedy.
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
@@ -89,8 +89,9 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Adds the warnings of an internal gear without a tooth. Of its rack, only the addendum, the
-// dedendum and, as tip rounding of a default cutter, the root fillet radius have an effect.
+// Adds the warnings of an internal gear without a tooth. Three dimensions of its rack have an
+// effect: the addendum, the dedendum, and the root fillet radius, which is the tip rounding of a
+// default cutter.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||

@@ -69,8 +69,9 @@ double swept(const Shaped& s, const Vec2& tip, int steps) {
   return most * r;
 }
 
-// The sweep misses the greatest arc by less than 0.01 mm with its steps of E/400 and 0.004 rad. If
-// a cutter trims nothing at the tip of the flank, it trims nothing below the tip either.
+// With steps of E/400 and 0.004 rad, the sweep finds the greatest arc with an error of less than
+// 0.01 mm. A cutter that removes no material at the tip of the flank also removes none below the
+// tip.
 TEST(Infeed, trims_as_much_as_a_cutter_that_rolls_at_all_distances) {
   struct Case {
     int z_0, z;

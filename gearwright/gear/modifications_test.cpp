@@ -182,7 +182,7 @@ TEST(RemovalField, has_the_values_of_the_drawing_at_the_ends) {
       const double slope = field->derivative(p, u, 0.0, field->piece_at(u, 0.0)).c_u;
       EXPECT_NEAR(unit(p, u, 0.0), value, on_base ? 2.1e-6 : 3e-15 * std::abs(slope) + 1e-15);
     };
-    // slightly inside the ends, so that piece_at() returns the end piece
+    // The points are slightly inside the ends, so that piece_at() returns the end piece.
     const double at_tip = std::nextafter(tip, root);
     const double at_root = std::nextafter(root, tip);
     expect(P::tip_relief, at_tip, 1);
@@ -232,7 +232,7 @@ TEST(RemovalField, pieces_tile_the_flank) {
         EXPECT_EQ(field->piece_at(u, z), c.piece);
       }
       EXPECT_EQ(owners, 1);
-      // Which reliefs apply follows from their start positions on the drawing.
+      // The start positions on the drawing determine which reliefs apply.
       const double rho = std::exp(u);
       const double x = (rho - e.rho_root_form) / (e.rho_tip_form - e.rho_root_form);
       const Field::Piece expected{x > 0.6, x < 0.3, z<3.0 - half, z> half - 3.0};
@@ -283,8 +283,8 @@ TEST(RemovalField, goes_on_below_an_involute) {
     for (const double beyond : {1e-2, 1e-3, 1e-4, 1e-5}) {
       const double u = end - beyond;
       const Removal r = field->at(u, 0.0, piece);
-      // L is now about −0.9 √(L0² + 2 r0² beyond), which is at most one length of the flank below
-      // 0.
+      // Here, L is about −0.9 √(L0² + 2 r0² beyond). Its magnitude is at most one length of the
+      // flank.
       EXPECT_LT(std::abs(r.c), 0.01 * 4 * 4 + 0.01);
       // The step is small compared with the distance to L0/2, where the formulas change.
       const double h = 1e-4 * beyond;

@@ -26,10 +26,11 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
   return sum - g.generating_profile_shift;
 }
 
-// ρ_a0, the tip rounding of the cutter. It is the radius of the circular tip fillet of the cutter.
-// If there is none, it is the root rounding of the rack that cut the cutter, provided that the
-// cutter's tip reaches this rounding. It is 0 for sharp tips, and for a cutter that was itself cut
-// by a pinion cutter, because its tip has no rounding of constant radius.
+// ρ_a0, the tip rounding of the cutter. If the cutter has a circular tip fillet, it is the radius
+// of this fillet. Otherwise, it is the root rounding of the rack that cut the cutter, provided that
+// the tip of the cutter reaches this rounding. It is 0 for sharp tips. It is also 0 for a cutter
+// that was cut by a pinion cutter, because the tip of such a cutter has no rounding of constant
+// radius.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();

@@ -55,9 +55,9 @@ bool warns_of_topping(const Gear& gear) {
                      [](const Warning& w) { return w.code == WarningCode::tip_cut_by_rack; });
 }
 
-// The default tip is exactly the tip that the cutter leaves, so the cutter never truncates the
-// blank, for any scale of all lengths. A factor of 7.3 on all lengths is a case in which rounding
-// could decide (z = −62, cutter of 31 teeth).
+// The default tip is exactly the tip that the cutter leaves. The cutter therefore never shortens
+// the blank, whatever the scale of all lengths is. With z = −62, a cutter of 31 teeth and the scale
+// 7.3, a rounding error could otherwise shorten the blank.
 TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
   testing::Draw random(20261123);
   std::vector<double> scales{1.0, 7.3};
@@ -72,7 +72,7 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         const Gear gear = cut(cutter, {teeth, distance(cutter, teeth, 0.05), 20.0 * scale, {}});
         EXPECT_FALSE(gear.tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x_0;
         EXPECT_FALSE(warns_of_topping(gear));
-        // The cutter truncates a blank that is larger by any amount, but leaves a smaller blank
+        // The cutter shortens a blank that is larger by any amount, but leaves a smaller blank
         // unchanged.
         const double side = teeth > 0 ? 1.0 : -1.0;
         PinionCutSpec blank{teeth, gear.cut_by->distance, 20.0 * scale, gear.tip_diameter};
@@ -82,7 +82,7 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         EXPECT_FALSE(cut(cutter, blank).tooth->tip_cut_by_rack);
       }
     }
-    // If a rack rounds the tips of the gear, its bottom land lies at its addendum.
+    // If the rack rounds the tips of the gear, the bottom land of the rack lies at the addendum.
     for (const int teeth : {17, 29, 64}) {
       for (const double x : {0.0, 0.1, 0.37}) {
         CylindricalSpec s = testing::plain_spec(

@@ -176,8 +176,8 @@ TEST(TipCorner, cuts_the_root_of_a_ring_as_a_swept_outline_does) {
       }
     }
     EXPECT_GE(compared, 26);
-    // The flank of the ring begins where the rounding of the cutter begins. With sharp corners it
-    // extends deeper.
+    // The flank of the ring begins where the rounding of the cutter begins. If the corners of the
+    // cutter are sharp, the flank begins nearer to the root.
     const Gear sharp = made(cutter_spec(k.z_0, m, 0.0, k.x_0));
     const Gear deeper = testing::taken(make_pinion_cut_gear(sharp, {k.z, e, 20.0, tip}));
     EXPECT_GT(*deeper.tooth->form_radius, *ring.tooth->form_radius);

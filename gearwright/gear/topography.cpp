@@ -24,9 +24,9 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
     const double half_second = (s[1] - s[0]) / (h[0] + h[1]);
     return {s[0] - h[0] * half_second, s[0] + h[0] * half_second, s[1] + h[1] * half_second};
   }
-  std::vector<double> m(n),
-      above(n);  // m: first the right-hand side, then the slopes; above: upper diagonal divided by
-                 // the pivot
+  // `m` contains first the right-hand side and finally the slopes. `above` contains the upper
+  // diagonal divided by the pivots.
+  std::vector<double> m(n), above(n);
   const double first = h[0] + h[1];
   above[0] = first / h[1];
   m[0] = ((h[0] + 2 * first) * h[1] * s[0] + h[0] * h[0] * s[1]) / first / h[1];

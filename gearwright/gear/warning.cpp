@@ -258,9 +258,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
-     "the bottom land of the cutter ends the tooth below the tip diameter of the blank; if "
-     "`cut_by` is not the mating gear and no tip diameter is given, the root of the cutter "
-     "determines the tip"},
+     "the tooth ends at the bottom land of the cutter, below the tip diameter of the blank; or no "
+     "tip diameter is given, and the root of a cutter that is not the mating gear determines the "
+     "tip"},
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,

@@ -9,8 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The transition of the outline from `last` to `next`. It lies at a height, or there is none
-// because one of the two branches is hidden.
+// The transition of the outline from `last` to `next`. If one of the two branches is hidden, there
+// is no transition. Otherwise, the transition lies at a height.
 struct Joint {
   enum Kind { at_height, last_hidden, next_hidden } kind;
   double height = 0.0;

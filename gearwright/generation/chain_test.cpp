@@ -43,8 +43,8 @@ void expect_ends(const std::vector<Branch>& chain, const std::vector<double>& en
   }
 }
 
-// Between 1.415 and 1.4245, the second branch is lower than the first. The search that starts at
-// 1.415 makes its first evaluation only beyond 1.4245, where the first branch is lower again.
+// Between 1.415 and 1.4245, the second branch is lower than the first. A search that starts at
+// 1.415 evaluates the branches only beyond 1.4245, where the first branch is lower.
 TEST(LowerEnvelope, a_dent_narrower_than_the_steps_behind_its_beginning) {
   const std::vector<Branch> branches{parabola(0.1, 0.0, 0.0, 0.0, 1.0, 2.0),
                                      parabola(0.1, 1.0, 1.415, 1.4245, 1.2, 1.9)};

@@ -204,8 +204,8 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
     if (arc.cuts != ArcName::flank || !line) continue;
     const double x = line->begin_height + motion.shift;
     const double roll = rack_involute_roll(motion, *line, x);
-    // The step in x is one pitch radius. Since ξ is linear in x, a smaller step would only increase
-    // the rounding error.
+    // The step in x is one pitch radius. A smaller step would only increase the rounding error,
+    // because ξ is linear in x.
     const double one = motion.pitch_radius;
     const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
     const double cos_tau = std::cos(line->tau.rad());

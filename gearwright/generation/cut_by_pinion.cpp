@@ -56,7 +56,8 @@ class Cutting {
 
   void run() {
     const auto& arcs = cutter_.outline.arcs;
-    double nu = 0.0;  // ν of the preceding cut
+    double nu = 0.0;  // ν at the end of the preceding arc
+
     bool smooth = true;
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];

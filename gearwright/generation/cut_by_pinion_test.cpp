@@ -136,8 +136,8 @@ double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, dou
   return rho * std::abs(angle(a) - angle(b));
 }
 
-// The larger the cutter, the closer the gear is to the gear that the rack of the same profile cuts.
-// All differences decrease like 1/z_0.
+// The larger the cutter, the smaller is the difference between the gear and a gear that the rack of
+// the same profile cuts. All differences decrease like 1/z_0.
 TEST(CutByPinion, approaches_the_rack) {
   StraightRack rack;  // has the same tip as the cutter
   rack.root_fillet_radius = 0.3;

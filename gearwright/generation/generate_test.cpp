@@ -108,7 +108,8 @@ TEST(CutByRack, semi_topping_cuts_a_chamfer) {
 
 TEST(CutByRack, protuberance_gives_the_root_two_fillet_arcs) {
   Cut cut;
-  cut.teeth = 120;  // with few teeth, the flank would start above the part cut by the protuberance
+  // With fewer teeth, the flank would start above the part that the protuberance cuts.
+  cut.teeth = 120;
   cut.rack.dedendum = 1.4;
   cut.rack.root_fillet_radius = 0.3;
   cut.rack.protuberance = 0.05;

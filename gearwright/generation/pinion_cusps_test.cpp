@@ -90,8 +90,8 @@ void expect_same_places(std::vector<double> scan, std::vector<double> found,
   std::vector<double> cells;
   for (double t : found) cells.push_back((t - piece.root) / (piece.tip - piece.root) * kCells);
   std::sort(cells.begin(), cells.end());
-  // The scan may or may not detect a point in the first or last cell, and it cannot detect two in
-  // one cell.
+  // A point in the first or last cell may or may not be found by the scan. Two points in one cell
+  // are never found.
   std::erase_if(cells, [&](double c) {
     const bool at_end = c < 1.0 || c > kCells - 1.0;
     if (at_end) std::erase_if(scan, [&](double s) { return std::abs(s - c) <= 1.0; });
@@ -165,8 +165,8 @@ TEST(PinionCusps, cusp_of_a_known_set) {
   EXPECT_NEAR(cusps[0], -kPi / 2 + 0.13050237994245208615, 1e-12);
 }
 
-// A circle extends beyond the centrode. At the limit of reach, the normal only touches the
-// centrode.
+// The corner lies outside the centrode, so some of its normals do not meet the centrode. The
+// normals at the ends of this range are tangent to the centrode.
 TEST(PinionCusps, reach_ends_where_the_normal_touches_the_centrode) {
   const PinionMotion motion{8, 24, 48.0};
   const double r_p = motion.cutter_pitch_radius();

@@ -240,7 +240,8 @@ TEST(PinionInvolute, is_what_the_envelope_says) {
   }
 }
 
-// Behind the tooth of the cutter, its leaving flank cuts this involute into an internal gear.
+// With Meeting::behind, pinion_involute() gives the curve that PinionEnvelope computes point by
+// point.
 TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   for (const PinionMotion& motion :
        {PinionMotion{20, -60, 40.3}, PinionMotion{20, -26, 6.1}, PinionMotion{5, -9, 4.2}}) {

@@ -39,7 +39,7 @@ TEST(ActiveFlank, of_external_gears_by_hand) {
     EXPECT_NEAR(two->root.diameter, by_hand(d_b2, d_b1, g[0].tip_diameter, twice, 1), 1e-9);
     EXPECT_NEAR(one->tip.diameter, g[0].tip_diameter, 1e-9);
     EXPECT_NEAR(two->tip.diameter, g[1].tip_diameter, 1e-9);
-    // [T10.22] holds for the active diameters as for any diameter.
+    // [T10.22] holds for the active diameters as it does for any other diameter.
     for (const RollPlace& p : {one->root, one->tip}) {
       const RollPlace same = roll_place(g[0], p.diameter);
       EXPECT_NEAR(p.length, same.length, 1e-9);

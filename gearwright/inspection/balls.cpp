@@ -73,8 +73,8 @@ bool projects(const Gear& gear, const UsableFlank& flank, const BallSeat& seat) 
   return gear.side() * (seat.radial - flank.tip / 2) > 0.0;
 }
 
-// The end of a message. It gives the diameters of the balls that touch on the usable flank, do
-// not touch the root, and project beyond the tip.
+// The end of a message about a ball. It gives the range of ball diameters that fit. Such a ball
+// touches on the usable flank, does not touch the root, and projects beyond the tip.
 std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto low = ball_touching_at(gear, flank.root_end);
   const auto high = ball_touching_at(gear, flank.tip_end);

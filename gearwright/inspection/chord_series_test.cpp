@@ -172,8 +172,8 @@ TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
         static_cast<double>((exact.height - spur.height) / virtual_spur_height_error(theta, p, r)),
         1.0, 2e-5)
         << psi;
-    // For z/(cos ψ cos² β_b) teeth, only the first term of the chord is right, so its error is much
-    // greater.
+    // With z/(cos ψ cos² β_b) teeth, only the first term of the chord is correct, so the error of
+    // the chord is much greater.
     const Exact base = asin(sin(p) * cos(Exact(20) * Exact(kDegree)));
     const auto other = virtual_spur_on_base_helix(theta, p, base, r).chord();
     EXPECT_GT(abs(exact.chord - other.chord), 1000 * abs(exact.chord - spur.chord)) << psi;
@@ -181,8 +181,8 @@ TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
 }
 
 // Greatest relative errors over all ψ from 0 to 88°, as in the table of
-// docs/theory/05-approximations.md. As long as the first omitted term dominates, it is greatest at
-// sin² ψ = 1/3 [T5.11].
+// docs/theory/05-approximations.md. As long as the first omitted term dominates, the error is
+// greatest at sin² ψ = 1/3 [T5.11].
 TEST(ChordSeries, greatest_errors_over_all_helix_angles) {
   struct Row {
     double theta_t, chord[3], height[3];

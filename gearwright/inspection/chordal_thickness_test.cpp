@@ -60,9 +60,9 @@ const Golden kGolden[] = {
      2.8344023289696807, 0.1307809847429546, 14.741193395081035},
 };
 
-// ψ and θ_t are given to ½ ulp, about 1e-16 relative; k and Δh magnify that by at most
-// dln Δh/dln ψ = 2 · 2 ψ/sin 2ψ = 17 at 81.5°. With the rounding errors of the functions, 2e-14 is
-// sufficient.
+// ψ and θ_t are given to ½ ulp, which is a relative error of about 1e-16. In k and Δh, this error
+// is multiplied by at most dln Δh/dln ψ = 2 · 2 ψ/sin 2ψ = 17, at 81.5°. With the rounding errors
+// of the functions, a tolerance of 2e-14 is sufficient.
 TEST(ShortestChord, golden_values) {
   for (const Golden& g : kGolden) {
     const auto c = shortest_chord(
@@ -156,9 +156,9 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
   EXPECT_GE(thick, 20);
 }
 
-// A tooth over more than half of the circumference is a worm with a thread thicker than its space.
-// The chord is the first minimum from the axial direction. If there is no minimum on the side of
-// the tooth, θ* is greater than π/2.
+// If a tooth covers more than half of the circumference, it is the thread of a worm that is thicker
+// than its space. The chord is the first minimum from the axial direction. If there is no minimum
+// on the side of the tooth, θ* is greater than π/2.
 TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
   testing::Draw random(20250201);
   int on_the_tooth = 0, behind = 0;
@@ -355,7 +355,8 @@ double outline_half_angle(const Gear& gear, double radius) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-// The tooth is an involute on the usable flank only, also if a pinion has cut an internal gear.
+// The tooth is an involute only between the ends of the usable flank. This also holds for an
+// internal gear that was cut by a pinion cutter.
 TEST(ChordalThickness, ends_where_the_fillet_begins) {
   const Gear ring = *cut_by_default(made(spec_of(-60, 2, 0, 0)));
   for (const Gear& gear : {made(spec_of(24, 3, 0, 0.1)), ring}) {
@@ -418,7 +419,7 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   const double d = 2 * *gear.root_form_radius() * 1.0001;
   ASSERT_GT(tooth_arc(gear, d).half_angle, kPi / 2);
   expect_refused(gear, d, "too much for a calliper");
-  // The thread of a worm with the same width is accepted.
+  // A calliper can measure the thread of a worm that has the same width.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);
   const auto c = chordal_thickness(thread, thread.reference_diameter);

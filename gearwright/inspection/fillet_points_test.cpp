@@ -44,7 +44,7 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   const Real length = std::hypot(nx, ny);
   nx /= length;
   ny /= length;
-  const Real t = -d * ny / nx - y;  // the line through (r − d, y + t) along n meets (r, 0)
+  const Real t = -d * ny / nx - y;  // for this t, the normal passes through the pitch point (r, 0)
   const Real turn = kLongPi / s.teeth - t / r;
   const Real px = r - d, py = y + t;
   const Real co = std::cos(turn), si = std::sin(turn);
@@ -52,7 +52,8 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   return {co * px - si * py, si * px + co * py, -(co * nx - si * ny), -(si * nx + co * ny)};
 }
 
-// The θ of the position nearest to a point, between the tangents of the flank and of the land.
+// The θ at which the rolled position is nearest to the point (x, y). θ is varied from the tangent
+// of the flank to the tangent of the land.
 Real nearest(const CylindricalSpec& s, Real x, Real y) {
   const auto far = [&](Real theta) {
     const Place p = rolled(s, theta);

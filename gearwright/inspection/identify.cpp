@@ -181,8 +181,8 @@ double most_misfit(const std::vector<Observation>& readings, const RackFit& fit)
   return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
 }
 
-// True if b is the same gear as a, except that a module or helix angle is fitted in one of the two
-// and standard in the other.
+// True if the gears a and b are the same, except that a module or helix angle is fitted in one gear
+// and standard in the other gear.
 bool is_double(const Found& a, const Found& b) {
   const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
                       (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);

@@ -62,7 +62,8 @@ Identification without_contradiction(const IdentifyProblem& problem) {
   IdentifyProblem others = problem;
   (contradiction->reading == Reading::tip_diameter ? others.tip : others.root).value.reset();
   answer = detail::identify_readings(others, detail::LeaveOut::one);
-  // The other readings determine a gear. The expected value is the value of this gear.
+  // The reading is compared with the gear that the other readings determine. The expected value is
+  // the value of this gear.
   auto expected = contradiction;
   if (!answer.candidates.empty()) {
     const IdentifiedGear& gear = answer.candidates.front();
@@ -79,8 +80,8 @@ bool sound(const Identification& found) {
          found.candidates.front().plausible();
 }
 
-// A gear is proposed as an alternative only if the magnitude of its thickness allowance, in
-// modules, does not exceed this value.
+// Greatest magnitude of the thickness allowance, in modules, of a gear that is proposed as an
+// alternative.
 constexpr double kUsualAllowanceOfMistake = 0.1;
 
 // True if tip and thickness of the gear are so usual that the gear is credible as an alternative.

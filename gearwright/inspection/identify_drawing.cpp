@@ -21,8 +21,8 @@ namespace gearwright::detail {
 namespace {
 
 // Lengths in modules.
-constexpr double kMostUsualAllowance = 0.1;  // upper limit of a usual allowance; smaller if
-                                             // kUsualSeries gives less
+constexpr double kMostUsualAllowance = 0.1;  // upper limit of a usual allowance, unless
+                                             // kUsualSeries gives a smaller limit
 constexpr double kMostAllowance = 0.2;       // a greater allowance is implausible
 constexpr double kNearTip = 0.02;            // usual tolerance of a tip radius
 constexpr double kMinusTip = 0.05;           // greatest undersize that indicates x = 0

@@ -55,8 +55,8 @@ constexpr double kPitch24 = kMmPerInch / 24, kPitch16 = kMmPerInch / 16;
 // The pinion of DP 24 that a maker measured, with 0.00165 in of thinning.
 SpurGear thinned_pinion() { return {32, kPitch24, 20, 0.0, -0.00165 * kMmPerInch}; }
 
-// The thickness alone does not distinguish x from E_sn. The spec has x = 0 if the allowance is
-// usual, with and without a reading of the tip.
+// The thickness alone does not determine x and E_sn separately. If the allowance is usual, the spec
+// has x = 0, with or without a reading of the tip.
 TEST(IdentifyDrawing, thinning_is_an_allowance_and_no_profile_shift) {
   const SpurGear gear = thinned_pinion();
   IdentifyProblem p = spans_of(gear);
@@ -70,7 +70,8 @@ TEST(IdentifyDrawing, thinning_is_an_allowance_and_no_profile_shift) {
   }
 }
 
-// The tip follows x, so it determines x of a gear whose thickness gives another x_E.
+// The tip diameter depends on x and not on the allowance. A reading of the tip therefore determines
+// x, although the thickness gives another x_E.
 TEST(IdentifyDrawing, tip_separates_shift_and_allowance) {
   for (const double x : {-0.2, 0.25, 0.5}) {
     const SpurGear gear{25, 2.0, 20, x, -0.09};
@@ -80,7 +81,8 @@ TEST(IdentifyDrawing, tip_separates_shift_and_allowance) {
     EXPECT_NEAR(found.profile_shift, x, 1e-9);
     EXPECT_NEAR(found.thickness_allowance, gear.allowance, 2e-3) << x;
   }
-  // Without a tip, such a thickness is a profile shift: its allowance would be positive or unusual.
+  // If no tip was measured, such a thickness is interpreted as a profile shift, because an
+  // allowance would be positive or unusual.
   for (const double x : {-0.2, 0.25}) {
     const IdentifiedGear found = first_of(spans_of({25, 2.0, 20, x, 0.0}));
     EXPECT_EQ(found.profile_shift, found.generating_shift) << x;
@@ -148,7 +150,8 @@ TEST(IdentifyDrawing, root_that_no_rack_gives_is_a_contradiction) {
   EXPECT_EQ(found.candidates.at(0).rack, "AGMA-14.5");
 }
 
-// The spans of neighbouring numbers of teeth hardly differ. The tip shows a wrong number.
+// Gears with neighbouring numbers of teeth have nearly the same spans. Only the tip shows that a
+// number of teeth is wrong.
 TEST(IdentifyDrawing, wrong_number_of_teeth_is_a_contradiction) {
   const SpurGear gear = thinned_pinion();
   for (const int teeth : {30, 31, 33, 34}) {

@@ -182,7 +182,7 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
   GearNumbers g = start;
   std::vector<double> r, moved;
   if (!residuals(g, readings, r)) return std::nullopt;
-  // The rows of values that are not fitted remain rows of the unit matrix.
+  // The matrix starts as a unit matrix. The rows of values that are not fitted stay unchanged.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity();
   std::array<std::vector<double>, 3> slope;  // slopes of the predicted readings, in units of σ
   for (int step = 0; step < kMostSteps; ++step) {

@@ -24,8 +24,9 @@ struct GearNumbers {
 /// One reading, as a number that is defined for every gear.
 struct Observation {
   Reading kind;
-  double tool;   ///< k, D_M, z of the mating gear
-  double value;  ///< mm; for a lead its reciprocal sin β/(π z m_n), 1/mm; for a helix angle rad
+  double tool;  ///< k, D_M, z of the mating gear
+  /// mm; for a lead, its reciprocal in 1/mm, sin β/(π z m_n); for a helix angle, rad .
+  double value;
   double sigma;  ///< standard deviation of the reading, in the same unit
   /// False for rough readings, which depend on wear, on the rack or on the mating gear.
   bool exact() const { return kind <= Reading::helix_angle; }

@@ -59,8 +59,9 @@ TEST(Identify, names_the_reading_that_disagrees) {
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);
 }
 
-// A centre distance and a tip diameter determine no helix angle. They do not narrow the range of a
-// free helix angle, so its evidence must not exceed the evidence of a spur gear.
+// A centre distance and a tip diameter do not determine a helix angle. They do not even narrow the
+// range of a free helix angle, so the evidence for a free angle must not exceed the evidence for a
+// spur gear.
 TEST(Identify, undetermined_helix_angle_does_not_win) {
   for (const int z : {17, 21, 34}) {
     IdentifyProblem p;

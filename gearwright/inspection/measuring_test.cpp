@@ -213,7 +213,7 @@ TEST(Span, is_the_stationary_distance_of_two_flanks) {
     const Gear gear = made(d);
     const auto span = usual_span(gear);
     if (!span) continue;
-    // The search starts at a point that is one hundredth away from the contact.
+    // The search starts at a point whose coordinates are 1 % greater than those of the contact.
     const Real ratio = span->contact_diameter / 2 / d.r_b();
     const Real u = std::sqrt(ratio * ratio - 1) * 1.01L;
     const Real z = -span->min_face_width / 2 * (d.beta > 0 ? 1 : -1) * 1.01L;

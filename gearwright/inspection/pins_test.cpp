@@ -51,9 +51,9 @@ double width_over(const std::vector<Vec2>& centers, double radius, double theta)
   return far - near;
 }
 
-// In a spur gear, pins are circles in the spaces, and anvils are lines that turn around the
-// circles. A micrometer over two pins reads the greatest width. Over three pins, it rests at the
-// least width.
+// In the transverse section of a spur gear, pins are circles in the spaces, and anvils are lines
+// that turn around the circles. A micrometer over two pins reads the greatest width. A micrometer
+// over three pins comes to rest at the least width.
 TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) {
   int odd = 0;
   for (const int z : {5, 7, 8, 17, 20, 33, 61, 100}) {
@@ -147,8 +147,8 @@ TEST(Pins, that_may_tilt_have_a_note_on_a_face_that_is_too_narrow) {
 }
 
 // z 40, m 3, β 25°, b 20.3 mm: over 6 teeth, W_k sin β_b is 20.2272 mm, so the anvils rest on 0.07
-// mm of the face. With b_M = 1.2 mm + 0.018 W_k, a face of 22.17 mm is required, and 18.51 mm over
-// 5.
+// mm of the face. With b_M = 1.2 mm + 0.018 W_k, a span over 6 teeth requires a face of 22.17 mm,
+// and a span over 5 teeth requires 18.51 mm.
 TEST(Span, notes_a_face_on_which_the_anvils_would_tip_off) {
   const auto notes_at = [](double face_width) {
     Arranged alone{GivenPair()};

@@ -8,8 +8,8 @@
 //
 // The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a
 // length along this tangent. Both contacts can be moved along the flanks together. The results are
-// for the symmetrical position. If there is a position in which both contacts lie on the usable
-// flanks, they also lie on them in the symmetrical position.
+// for the symmetrical position. If both contacts lie on the usable flanks in any position, they
+// also do so in the symmetrical position.
 #pragma once
 
 #include <vector>

@@ -84,8 +84,8 @@ constexpr int kMaxGrade = 12;
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 
-// The index of the first border that is not less than the value; the number of borders if all are
-// less.
+// The index of the first border that is not less than the value. If all borders are less than the
+// value, the number of borders.
 template <std::size_t n>
 std::size_t row_of(const std::array<double, n>& borders, double value) {
   return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), value) -

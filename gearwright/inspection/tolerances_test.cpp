@@ -35,8 +35,8 @@ TEST(FlankTolerances, of_the_formulas_by_hand) {
   EXPECT_EQ(t.helix_form, 7.5);         // 0.7 + 2.7 + 4 = 7.4
   EXPECT_EQ(t.helix_total, 10.0);       // √(6.6² + 7.4²) = 9.92
   EXPECT_EQ(t.runout, 20.0);            // 0.9 · 21.9 = 19.71
-  // Tolerances of neighbouring classes differ by a factor of √2, so those of classes 5 and 7 differ
-  // by 2.
+  // Tolerances of neighbouring classes differ by a factor of √2, so the tolerances of classes 5 and
+  // 7 differ by a factor of 2.
   const auto coarse = flank_tolerances(FlankTolerances::iso_2013, 7, gear);
   EXPECT_EQ(coarse.single_pitch, 15.0);
   EXPECT_EQ(coarse.cumulative_pitch, 44.0);
@@ -104,8 +104,8 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   EXPECT_TRUE(later.base_pitch);
 }
 
-// By [T10.37], the tolerance of k pitches lies on the straight line through f_ptT for k = 0 and F_pT
-// for k = z/4. With z = 8 k, it is their mean before rounding.
+// By [T10.37], the tolerance of k pitches lies on the straight line through f_ptT for k = 0 and
+// F_pT for k = z/4. With z = 8 k, it is their mean before rounding.
 TEST(FlankTolerances, of_a_sector_lie_between_pitch_and_total) {
   for (const int z : {16, 24, 80}) {
     const double m = 4.0, d = m * z;
@@ -117,9 +117,9 @@ TEST(FlankTolerances, of_a_sector_lie_between_pitch_and_total) {
   EXPECT_FALSE(flank_tolerances(FlankTolerances::iso_2013, 5, {60, 4, 40, 15, 0.0}).sector_pitch);
 }
 
-// The same reports print f_Σβ and f_Σδ without the bearing span. For F_β = 27 µm they print 27 and
-// 54 µm, which corresponds to L = 2 b. For F_β = 30 µm they print 19.5 and 39 µm, which corresponds
-// to L = 1.3 b.
+// The printed reports contain f_Σβ and f_Σδ but not the bearing span L. For F_β = 27 µm, they print
+// 27 and 54 µm, which corresponds to L = 2 b. For F_β = 30 µm, they print 19.5 and 39 µm, which
+// corresponds to L = 1.3 b.
 TEST(FlankTolerances, of_the_axes_grow_with_the_span_of_the_bearings) {
   FlankToleranceValues t{};
   set_axis_tolerances(t, 27.0, 360.0, 720.0);

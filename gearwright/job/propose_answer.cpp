@@ -168,8 +168,8 @@ std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best)
   if (!free || list[*free].worst.max_pressure <= best.worst.max_pressure) return "";
   const double pressure = list[*free].worst.max_pressure;
   return fmt::format(
-      " Proposal {} has no loaded edge at these limits, but without deviations its pressure is "
-      "{:.0f} % greater ({} N/mm²).",
+      " Proposal {} has no loaded edge at these limits, but its pressure without deviations is "
+      "{:.0f} % greater than in this proposal ({} N/mm²).",
       *free + 1, 100 * (pressure / best.worst.max_pressure - 1),
       arrow(best.worst.max_pressure, pressure, 0));
 }
@@ -188,10 +188,9 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   const bool scored =
       std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
-      best == 0
-          ? std::string(
-                "The spec as given is the best proposal. Only proposals that do not increase its "
-                "transmission error are compared.")
+      best == 0 ? std::string(
+                      "The spec as given is the best proposal. It is compared only with proposals "
+                      "that do not increase the transmission error.")
       : !scored
           ? fmt::format(
                 "The spec as given has no result under this load. {}Among the proposals, this one "
@@ -213,7 +212,8 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
         "spec as given ({}″).",
         arrow(given.at_limits->peak_to_peak.arcsec(), p.at_limits->peak_to_peak.arcsec(), 2));
   if (p.at_limits && p.at_limits->edge_carries && !p.worst.edge_carries)
-    text += " At these limits an edge of a tooth carries load." + too_pressed(list, p);
+    text += " At the limits of the helix slopes, an edge of a tooth carries load." +
+            too_pressed(list, p);
   if (!p.worst.edge_carries) return text;
   if (const auto other = quietest_without_edge(list))
     text += fmt::format(

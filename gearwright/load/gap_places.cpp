@@ -12,11 +12,12 @@ namespace {
 
 using End = FlankPatch::End;
 
-// Rounding error of a place, relative to the length of the flank.
+// Rounding error of the position of a place, relative to the length of the flank.
 constexpr double kBorderRounding = 1e-15;
-// rad: two patches with a smaller difference of T have the same gap.
+// Two patches count as having the same gap if T differs by less than this value, rad.
 constexpr double kSameGap = 1e-13;
-// rad: points of flank 1 at a greater angle from the line of centres face no flank.
+// If the angle between a point of flank 1 and the line of centres is greater than this value, rad,
+// the point does not face a flank of gear 2.
 constexpr double kFarFromMesh = 0.6;
 
 double row_of(const FlankPatch& a, int i) {

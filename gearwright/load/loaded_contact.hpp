@@ -135,9 +135,9 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// Performs the computation of loaded_contact() in parts. Before result(), the caller must call
-/// solve() for ranges that together cover all positions. The order of these calls does not
-/// matter, and they may run in several threads. The inputs must outlive the object.
+/// Performs the computation of loaded_contact() in parts. Before the caller calls result(), calls
+/// of solve() must have covered all positions. The order of the calls of solve() does not matter,
+/// and they may run in several threads. The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

@@ -21,7 +21,8 @@ using testing::steel_drive;
 // An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
-// Gear 2 of the laws that hold for external and internal pairs; −65 is an internal gear.
+// Numbers of teeth of gear 2, for the laws that hold for external and internal pairs; −65 is an
+// internal gear.
 constexpr std::array kWheels{25, -65};
 
 Drive external_drive(double helix_deg, double face) {
@@ -296,7 +297,8 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 2290.06, 0.003 * 2290.06);
 }
 
-// A deflection that closes the gap at one end loads that end, for either pair of flanks.
+// A deflection that closes the gap at one end of the face increases the load at this end. This is
+// tested for both pairs of flanks.
 TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   Drive m = external_drive(0, 30);
   LoadRequest r = request_of(m);
@@ -352,7 +354,8 @@ TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
   }
 }
 
-// If a single pair carries the whole load at some positions, with errors and without, K_Hα is 1.
+// If one pair carries the whole load at some position, both with errors and without errors, K_Hα is
+// 1.
 TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   Drive m = external_drive(0, 30);
   LoadRequest r = request_of(m);
@@ -366,8 +369,8 @@ TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   EXPECT_DOUBLE_EQ(with.torques[0].transverse_load_factor, 1.0);
 }
 
-// While the neighbouring teeth carry the load, a fillet is compressed, but by less than its tension
-// under the load of its own tooth.
+// While the neighbouring teeth carry the load, a fillet is compressed. The compression is less than
+// the tension in the fillet while its own tooth carries the load.
 TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
   for (const double helix : {0.0, 15.0}) {
     const Drive m = external_drive(helix, 30);

@@ -19,8 +19,8 @@ constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints =
 // Least width of a slice in half widths of the contact, if kMostPairs tooth pairs share the load.
 constexpr double kHopelessWidths = 2.0;
 constexpr int kMostPairs = 3;
-// The least default width of a slice for internal pairs is this number times √(R m), where R is the
-// relative radius of curvature of the flanks.
+// The least default width of a slice of an internal pair is this number times √(R m), where R is
+// the relative radius of curvature of the flanks and m is the module.
 constexpr double kFairWidth = 0.15;
 constexpr int kSlices = 32;
 constexpr int kTableSteps = 80;  // approximate number of steps of progress for a table

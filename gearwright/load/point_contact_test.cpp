@@ -279,7 +279,8 @@ TEST(PointContact, TheOtherHandIsMirrored) {
     const LoadedPosition& q = b.torques[0].positions[i];
     EXPECT_NEAR(p.te.rad(), q.te.rad(), 1e-5 * std::abs(p.te.rad())) << i;
     EXPECT_NEAR(p.max_pressure, q.max_pressure, 1e-4 * p.max_pressure) << i;
-    // A mode at the threshold is kept for one hand and dropped for the other.
+    // A mode that is nearly at the threshold may be kept for one hand and dropped for the other
+    // hand.
     for (int g = 0; g < 2; ++g)
       EXPECT_NEAR(p.root_stress[g], q.root_stress[g], 0.005 * p.root_stress[g]) << i;
     ASSERT_EQ(p.pairs.size(), q.pairs.size());

@@ -29,7 +29,7 @@ constexpr int kHalvings = 40;  // halvings of the interval in which the end of t
 constexpr double kNoLength = 1e-3;
 // Least force for which a footprint is computed, relative to the whole force.
 constexpr double kIdle = 1e-6;
-// Least curvature of the gap of the bent bodies, relative to k1.
+// Least curvature k1 + c2 of the gap between the bent bodies, as a multiple of k1.
 constexpr double kStraightest = 0.25;
 
 using Quadrature = boost::math::quadrature::gauss<double, 9>;

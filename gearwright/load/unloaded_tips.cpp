@@ -20,8 +20,8 @@ using detail::PositionSolver;
 constexpr int kHeights = 8;      // points along the face at which a tip is examined
 constexpr int kMostTurns = 30;   // limit of iterations, each of which at least halves the error
 constexpr double kClose = 5e-6;  // mm: tolerance of a relief; reliefs are made in whole µm
-// Modules: greatest relief tried. It is less than kFarGap, because places with a wider gap are not
-// included in the contact problem.
+// Greatest relief that is tried, in modules. It is less than kFarGap, because the contact problem
+// does not include places with a wider gap.
 constexpr double kGreatest = 1.0 / 40;
 
 // The equation ρ_1 = a + r_b1 φ + c z of a contact of pair 0. z and φ are in the frame N.

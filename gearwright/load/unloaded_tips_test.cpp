@@ -87,8 +87,8 @@ struct TipCase {
 TEST(UnloadedTips, AreTheLeastReliefsWithoutLoadOnEdges) {
   constexpr double kTorque = 2e5;
   constexpr double kMore = 0.2 * kMmPerUm;
-  // Just before its first point of contact, the tip with a linear relief is nearer to the flank
-  // than at this point. The difference is C² R/l², which is some tenths of a micron.
+  // Just before the first point of contact, a tip with a linear relief is nearer to the flank than
+  // at the first point of contact. The difference is C² R/l², which is some tenths of a micron.
   constexpr double kLess = 1.5 * kMmPerUm;
   for (const TipTeeth& teeth : {TipTeeth{25, 25, 0}, TipTeeth{20, 43, 0}, TipTeeth{23, 41, 14}}) {
     const TipCase c(teeth);
@@ -102,7 +102,8 @@ TEST(UnloadedTips, AreTheLeastReliefsWithoutLoadOnEdges) {
 }
 
 TEST(UnloadedTips, AreLessThanTheApproachOfASinglePair) {
-  // Neighbouring teeth and the body move the tip as well, so it overlaps by less than the approach.
+  // The deformation of the neighbouring teeth and of the body also moves the tip, so the overlap of
+  // the tip is less than the approach.
   const TipCase c({25, 25, 0});
   LoadRequest r = tip_request(2e5);
   const ContactPair pair = c.setup.pair(false);

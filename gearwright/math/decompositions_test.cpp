@@ -44,8 +44,8 @@ TEST(Decompositions, solve_linear_solves) {
   std::mt19937 engine(12);
   for (int n = 1; n <= 4; ++n) {
     for (int i = 0; i < 50; ++i) {
-      // Each diagonal entry is at least twice the sum of the magnitudes of the other entries in its
-      // row, so no entry of x exceeds 1.
+      // In each row, the diagonal entry is at least twice the sum of the magnitudes of the other
+      // entries, so no entry of x exceeds 1.
       const Eigen::MatrixXd a =
           random_matrix(engine, n, n) + 2.0 * n * Eigen::MatrixXd::Identity(n, n);
       const Eigen::VectorXd b = random_matrix(engine, n, 1);
@@ -79,8 +79,8 @@ TEST(Decompositions, least_squares_takes_the_shortest) {
 }
 
 TEST(Decompositions, sums_do_not_depend_on_the_cache_of_the_processor) {
-  // Eigen divides a long sum into parts that fit into the first-level cache. By default, it uses
-  // the cache size of the processor on which it runs.
+  // Eigen divides a long sum into parts that fit into the first-level cache. By default, the size
+  // of the parts depends on the processor on which the program runs.
   EXPECT_EQ(Eigen::l1CacheSize(), 32768);
 }
 

@@ -22,7 +22,8 @@ struct Known {
 };
 
 TEST(Involute, known_values) {
-  // Above the end of the series at 0.46, tan and the subtraction lose 3ε/α², which is 14 ε there.
+  // The series is used up to α = 0.46. Above this angle, tan α − α loses 3ε/α², which is 14 ε at
+  // 0.46.
   for (const auto& [alpha, inv] : {Known{0.000017453292519943296, 1.7721923116185322917e-15},
                                    {0.0087266462599716479, 2.2153078714144991774e-7},
                                    {0.25307274153917778865, 0.0055448428167124932231},
@@ -31,8 +32,8 @@ TEST(Involute, known_values) {
                                    {0.47123889803846898577, 0.038286551455959824744},
                                    {0.78539816339744830962, 0.21460183660255169038},
                                    {1.3962634015954636615, 4.2750184180222458695}}) {
-    // The input of the last case is rounded too. Its relative condition number is α tan²α/inv α ≤
-    // 11.
+    // The angle is rounded too. The relative condition number α tan²α/inv α is at most 11, in the
+    // last case.
     EXPECT_NEAR(involute(alpha), inv, 16 * kEps * inv) << alpha;
     EXPECT_EQ(involute(-alpha), -involute(alpha));
   }

@@ -1,4 +1,5 @@
-// An exception thrown by the minimised function passes through the C library to the caller.
+// An exception that the minimised function throws reaches the caller of minimise(), although NLopt
+// is a C library.
 #include "gearwright/math/minimise.hpp"
 
 #include <gtest/gtest.h>

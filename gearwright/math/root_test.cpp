@@ -55,7 +55,7 @@ TEST(Root, a_triple_root_ends_all_the_same) {
   EXPECT_LE(root.evaluations, 260);
 }
 
-// TOMS 748 alone cycles here, two ulp from an end of its bracket.
+// Without the final bisection, TOMS 748 would cycle here, two ulp from an end of its bracket.
 TEST(Root, closes_the_last_ulps_by_halving) {
   const double sigma = std::acos(-1.0) / 4;
   int found = 0;

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-// With SSE2, Boost adds up terms in another order than without. Results must not depend on the
-// processor, so Boost is compiled as if SSE2 were missing. MinGW has the two macros of MSVC, too.
+// Boost adds up terms in one order with SSE2 and in another order without SSE2. Results must not
+// depend on the processor, so Boost is compiled as if SSE2 were missing. MinGW has the two macros
+// of MSVC, too.
 #pragma push_macro("__SSE2__")
 #pragma push_macro("_M_AMD64")
 #pragma push_macro("_M_X64")
@@ -169,8 +170,8 @@ double beta_quantile(double u, double p, double q) {
 
 double student_quantile(double u, double nu) {
   GW_EXPECTS(nu > 0.0 && u > 0.0 && u < 1.0);
-  // Near u = 1/2, c = t²/(ν + t²) is small; far from it, the complement b = 1 − c is small. The
-  // smaller number is computed, because it has more correct digits.
+  // Near u = 1/2, c = t²/(ν + t²) is small. Far from 1/2, the complement b = 1 − c is small. The
+  // smaller of c and b is computed, because it has more correct digits.
   const double middle = std::abs(2.0 * u - 1.0);
   double t = 0.0;
   if (middle < 0.5) {

@@ -12,9 +12,10 @@ namespace gearwright {
 
 namespace {
 
-// The reduction of the misalignment f by running-in for one material, µm. It is a fraction of f, up
-// to a limit. For hardened surfaces, the limit is the same at all speeds v. For other materials,
-// there is no limit up to 5 m/s, one limit from 5 to 10 m/s, and a smaller limit above 10 m/s.
+// The reduction of the misalignment f by running-in for one material, µm. The reduction is a
+// fraction of f, up to a limit. For hardened surfaces, the limit is the same at all speeds v. For
+// other materials, there is no limit up to 5 m/s, one limit from 5 to 10 m/s, and a smaller limit
+// above 10 m/s.
 double helix_running_in(const Material& m, double f, double v) {
   using K = MaterialKind;
   if (m.surface_hardened()) return std::min(0.15 * f, 6.0);

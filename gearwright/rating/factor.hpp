@@ -32,7 +32,7 @@ struct Factor {
 inline constexpr Factor kNoFactor{kNoNumber, "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 
-/// The two values of a factor, for pinion and wheel or for gear 1 and gear 2.
+/// The two values of a factor. They belong either to pinion and wheel, or to gear 1 and gear 2.
 using FactorPair = std::array<Factor, 2>;
 
 inline constexpr const char* kGivenFactor = "given by the user";

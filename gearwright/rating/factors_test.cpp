@@ -64,7 +64,7 @@ TEST(DynamicFactor, RangesMeet) {
     EXPECT_NEAR(below, above, 1e-6) << N;
   }
   EXPECT_NEAR(dynamic_factor(sample_speed(1e-9)).K_v.value, 1.0, 1e-8);
-  // At 0.85 the factor of the standard jumps to its value at resonance.
+  // At N = 0.85, the factor of the standard jumps to its value at resonance.
   EXPECT_GT(dynamic_factor(sample_speed(0.85 + 1e-6)).K_v.value,
             dynamic_factor(sample_speed(0.85 - 1e-6)).K_v.value);
 }
@@ -149,22 +149,22 @@ TEST(ContactRatioFactor, BranchesMeetAtOneOverlap) {
   EXPECT_NEAR(m, single_contact_factors(pair)[0].value, 1e-8);
 }
 
-// Gears 8:60, m_n = 3, x = 0.2/0.2. By an independent program, ρ_1C = 4.4853, ρ_1B = 1.9234 and
-// N = 38.1249 mm. Undercut lets contact begin after A, where the tip of the wheel would touch.
+// Gears 8:60, m_n = 3, x = 0.2/0.2. An independent program gives ρ_1C = 4.4853, ρ_1B = 1.9234 and N
+// = 38.1249 mm. The tip of the wheel would touch at A. Because of undercut, contact begins after A.
 TEST(SingleContactFactor, CountsFromTheEndsOfContactOfAnUndercutPinion) {
   const StraightRack rack = *iso53_rack("ISO53-A");
   const RatedPair pair = testing::printed_pair({8, 0.2, 0}, {60, 0.2, 0}, 3, 0, 30, 0, rack);
   EXPECT_LT(pair.epsilon_alpha, 1.2);
   const double at_C = 4.4853 * (38.1249 - 4.4853), at_B = 1.9234 * (38.1249 - 1.9234);
   EXPECT_NEAR(single_contact_factors(pair)[0].value, std::sqrt(at_C / at_B), 1e-4);
-  // The outer point of single pair contact of the wheel is B as well.
+  // For the wheel, the outer point of single pair contact is also B.
   const double r_b2 = pair.gears[1].base_diameter / 2;
   EXPECT_NEAR(critical_section(pair, pair.gears[1])->d_en, 2 * std::hypot(r_b2, 38.1249 - 1.9234),
               1e-3);
 }
 
-// The effective ε_α of 5:60 passes 1 near x1 = 0.5. Below, single pair contact begins where the
-// usable flank begins.
+// The effective ε_α of 5:60 is 1 near x1 = 0.5. For a smaller x1, single pair contact begins where
+// the usable flank begins.
 TEST(SingleContactFactor, HasNoJumpAtAContactRatioOfOne) {
   const StraightRack rack = *iso53_rack("ISO53-A");
   double before = 0.0;
@@ -273,7 +273,7 @@ TEST(RimFactor, ThinRims) {
   ring.teeth = -95;
   struct Case {
     const RatedGear* gear;
-    double unit, least, thick, at_least;  // at_least: Y_B at the least rim
+    double unit, least, thick, at_least;  // at_least: Y_B for the least rim thickness
   };
   for (const Case& c : {Case{&g, h, 0.5, 1.2, 1.6 * std::log(2.242 / 0.5)},
                         Case{&ring, 14.0, 1.75, 3.5, 1.15 * std::log(8.324 / 1.75)}}) {
@@ -313,7 +313,7 @@ TEST(Materials, TableHasItsReports) {
     EXPECT_TRUE(material_named(row.name).has_value()) << row.name;
 }
 
-// The elasticity and density of steel apply to no plastic.
+// Values of elasticity and density exist for every kind of material except plastics.
 TEST(Materials, PlasticsHaveNoUsualValues) {
   for (int k = 0; k <= static_cast<int>(MaterialKind::plastic); ++k) {
     const auto kind = static_cast<MaterialKind>(k);

@@ -98,7 +98,7 @@ Result<RatedPair> rated(const ParallelPair& pair) {
   r.alpha_wt = std::acos(std::min(1.0, sum / pair.center_distance));
   for (std::size_t i = 0; i < 2; ++i)
     r.gears[i] = rated_gear(pair.gears[r.exchanged ? 1 - i : i], r.beta, r.beta_b);
-  // The tip of a gear does not touch where the mating gear has no usable flank. [T2.19]
+  // The tip of a gear has no contact where the mating gear has no usable flank. [T2.19]
   if (mesh.rho1_true_end < mesh.rho1_E)
     r.gears[r.place(1)].tip_diameter = 2 * std::hypot(first.base_radius(), mesh.rho1_true_end);
   if (mesh.rho1_true_begin > mesh.rho1_A)

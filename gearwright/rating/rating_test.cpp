@@ -86,8 +86,8 @@ TEST(Rating, HelicalReport) {
   }
 }
 
-// The second stage of the same gearbox, a spur pair of sun and planet, agrees to all printed
-// digits.
+// Sun and planet of the second planetary stage of a 5 MW wind turbine, a spur pair. Every value
+// agrees to its printed digits.
 TEST(Rating, SpurReport) {
   const RatedPair pair = printed_pair({18, 0.389, 432.838}, {36, 0.5039, 815.663}, 21, 0, 550, 584,
                                       *iso53_rack("ISO53-A"));
@@ -130,8 +130,8 @@ TEST(Rating, SpurReport) {
   }
 }
 
-// Planet and ring of that stage are an internal pair, and a pinion cutter with 30 teeth cuts the
-// ring.
+// Planet and ring of the second planetary stage of a 5 MW wind turbine, an internal pair. A pinion
+// cutter with 30 teeth cuts the ring.
 TEST(Rating, InternalReport) {
   RatedPair pair = printed_pair({36, 0.5039, 815.663}, {-93, 0.1171, 1906.081}, 21, 0, 550, 584,
                                 *iso53_rack("ISO53-A"));
@@ -188,8 +188,9 @@ TEST(Rating, ExampleOfTheTechnicalReport) {
   StraightRack rack;
   rack.dedendum = 1.4;
   rack.root_fillet_radius = 0.39;
-  // The example has tip diameters with two decimals, as on a drawing, which give the printed
-  // digits. With the tip diameters of the rack, 159.6601 and 872.3548, σ_H0 is 1206.48.
+  // The tip diameters of the example have two decimals, as on a drawing. They give the printed
+  // digits. The tip diameters that the rack gives are 159.6601 and 872.3548, for which σ_H0 is
+  // 1206.48.
   const RatedPair pair =
       printed_pair({17, 0.145, 159.66}, {103, 0.0, 872.35}, 8, 15.8, 100, 500, rack);
   EXPECT_NEAR(pair.gears[0].virtual_teeth, 18.905, 5e-4);
@@ -417,7 +418,7 @@ TEST(Rating, WhatIsMissingIsNamed) {
   EXPECT_EQ(field(in), "rating.face_load_factor");
 }
 
-// The edition of 2019: f_ε in Y_F, 1/cos³ β in Y_β, tolerances of ISO 1328-1:2013.
+// Differences of the edition of 2019: f_ε in Y_F, 1/cos³ β in Y_β, tolerances of ISO 1328-1:2013.
 TEST(Rating, LaterEdition) {
   const RatedPair pair = testing::helical_24_95();
   RatingInput in = testing::helical_24_95_load();

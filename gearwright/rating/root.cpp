@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRoughest = 40.0;  // µm, upper limit of Rz in 14.3
+constexpr double kRoughest = 40.0;  // µm, upper limit of Rz in clause 14.3 of ISO 6336-3
 
 double rack_fillet(const RootTool& tool) { return tool.fillet; }
 

@@ -71,12 +71,14 @@ RatedPair with_face_width(RatedPair pair, double face_width) {
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const Safeties& wanted, double most) {
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
-  // Safety factors increase with the width, but they drop where a tolerance reaches its next step.
-  // The sufficient widths may therefore form several ranges. If a safety factor at the width b is s
-  // < 1 times its required value, every greater sufficient width is at least b s^(−1/kPower), and
-  // the search continues at this width. Only the least step, kLeastStep, can skip a sufficient
-  // width.
-  constexpr double kPower = 4.0;       // 1 for the load, 3 for overlap and load factors
+  // In general, safety factors increase with the width. They drop where a tolerance reaches its
+  // next step, so the sufficient widths may form several ranges. If a safety factor at the width b
+  // is s < 1 times its required value, every greater sufficient width is at least b s^(−1/kPower).
+  // The search continues at this width. Sufficient widths can be missed only if they lie within a
+  // single step of kLeastStep.
+  // Safety factors grow at most like b⁴: like b because of the load, and like b³ because of overlap
+  // and load factors.
+  constexpr double kPower = 4.0;
   constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths may be missed
   constexpr double kBlind = 1.001;     // relative step if there is no rating at this width
   double lo = std::min(most, pair.normal_module);

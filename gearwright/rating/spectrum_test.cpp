@@ -16,7 +16,7 @@ RatingInput steady_load() {
   return in;
 }
 
-// (1) for flanks and roots, in the range of limited life and beyond
+// Law (1), for flanks and roots, in the range of limited life and beyond this range.
 TEST(Spectrum, OneStepIsThePlainRating) {
   const RatedPair pair = testing::helical_24_95();
   for (const double hours : {0.1, 10.0, 500.0, 20000.0}) {
@@ -31,7 +31,7 @@ TEST(Spectrum, OneStepIsThePlainRating) {
   }
 }
 
-// (2), and a greater load causes more damage
+// Law (2). In addition, a greater load causes more damage.
 TEST(Spectrum, StepsAddUp) {
   const RatedPair pair = testing::helical_24_95();
   const RatingInput in = steady_load();

@@ -219,8 +219,8 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 }
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
-  // The tooth traces of the rack are inclined by the helix angle, in one of two directions. The
-  // correct direction lies in the flank and is therefore perpendicular to the normal.
+  // The tooth traces of the rack are inclined by the helix angle to one side or to the other. The
+  // correct trace lies in the flank, so it is perpendicular to the normal.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));

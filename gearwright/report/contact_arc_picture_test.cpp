@@ -64,9 +64,9 @@ TEST(ArcPicture, ARackReachesFromItsDedendumToItsAddendum) {
   }
 }
 
-// Both sections pass through the contact point, because the plane contains it, and they are tangent
-// there. A point a little further along the normal lies outside one section and not yet inside the
-// other.
+// The plane of the picture contains the contact point. Both sections therefore pass through this
+// point, where they are tangent to each other. A point on the normal slightly beyond the contact
+// lies outside one section and has not yet reached the other section.
 TEST(ArcPicture, BothTeethPassTheContactPointInTheNormalSection) {
   std::vector<ArcPair> pairs{litvin_tsay_pair()};
   const auto rack = gbt12759_rack(4.0);

@@ -5,10 +5,10 @@
 //   A′–E′     trailing line of action: the leading line turned by 180° about the centre line
 //   plan      view along the centre line from the side of gear 2, true to scale: y points to the
 //             right, z up, and axis 1 is upright
-//   section   cut by the plane of the leading line, normal to the teeth of the common rack. It
-//             shows the rack undistorted, the line of action in true length at the angle α_wn, and
-//             cylinders as ellipses. The trailing line lies in a parallel plane and is projected
-//             along the teeth.
+//   section   cut by the plane of the leading line, normal to the teeth of the common rack. The
+//             section shows the rack without distortion, the line of action in true length at the
+//             angle α_wn, and cylinders as ellipses. The trailing line lies in a parallel plane and
+//             is projected along the teeth.
 //   h         to the right, in the direction of motion of the rack    x   up, along the centre
 //             line, from gear 1 to gear 2
 //   z_L       offset of the plane along the teeth from the centre line, mm

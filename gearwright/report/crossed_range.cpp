@@ -18,20 +18,22 @@ namespace {
 
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // added at either end, as a fraction of the range of angles
-// rad. At the limit of the pressure angle, the helix angle of one gear is 90° and its pitch radius
-// is infinite. The range ends where the transverse pressure angle is this far from its limit. The
-// pressure angle of the common rack is then within 1e-6 rad of its limit.
+// The range ends where the transverse pressure angle is this far from its limit, in rad. At the
+// limit, the helix angle of one gear is 90° and its pitch radius is infinite. At the end of the
+// range, the pressure angle of the common rack is within 1e-6 rad of the limit.
 constexpr double kBeforeLimit = 1e-3;
-// rad. Transverse pressure angles are limited to 90° minus this value, because the involute
-// function is infinite at 90°. Because of rounding, a mounted pair may exceed this limit. Its
-// centre distance then changes by at most the base radius times kAtLimit.
+// Transverse pressure angles are at most 90° minus this value, in rad, because the involute
+// function is infinite at 90°. Rounding may bring the angle of a mounted pair above this maximum.
+// The reduction to the maximum then changes the centre distance by at most kAtLimit times the base
+// radius.
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack cannot have α_wn = 0
 
 double deg(double rad) { return kDegPerRad * rad; }
 
-// Transverse pressure angle of the limiting gear. This angle is the parameter of the range, because
-// the pressure angle of the common rack is stationary at the limit.
+// Transverse pressure angle of the limiting gear. The samples are spaced by this angle. The
+// pressure angle of the common rack is unsuitable as a parameter, because it is stationary at the
+// limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
   const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));

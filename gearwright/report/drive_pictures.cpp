@@ -20,12 +20,16 @@ namespace gearwright {
 namespace {
 
 constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
-constexpr double kLeastWidth = 320.0;  // px, of a section that is taller than it is wide
-constexpr double kBarRadii = 8.0;      // tip radii of the pinion, the most of a rack that is shown
-constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;  // width, px, and height over width
-constexpr double kPhaseModules = 6.5;    // modules, size of the area in a picture of a phase
-constexpr double kTeethPerSecond = 1.2;  // in the fastest mesh while the picture turns
-constexpr int kSliderSteps = 240;        // number of positions of the slider
+// px, least width of a section that is taller than it is wide.
+constexpr double kLeastWidth = 320.0;
+// Greatest shown length of a rack, in tip radii of the pinion.
+constexpr double kBarRadii = 8.0;
+// Width of a picture, px, and its height divided by its width.
+constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;
+constexpr double kPhaseModules = 6.5;  // modules, size of the area in a picture of a phase
+// Teeth per second in the fastest mesh while the gears turn.
+constexpr double kTeethPerSecond = 1.2;
+constexpr int kSliderSteps = 240;  // number of positions of the slider
 
 // Degrees, clockwise as in SVG, by which a body turns while t runs from 0 to 1. `ratio` is the
 // speed of the body divided by the speed of the input.
@@ -95,8 +99,8 @@ class Pictures {
     return turns;
   }
 
-  // Extends `all` to contain a rack during its whole motion, which goes to both sides of its drawn
-  // position. The ends of a long rack stay outside.
+  // Extends `all` so that it contains a rack in every position of its motion. The rack moves to
+  // both sides of its drawn position. The ends of a long rack may stay outside `all`.
   void cover_bar(const RackPair& rack, const PlacedGear& p, Bounds& all) const {
     const Vec2 along = along_rack(p), up(along.y(), -along.x());
     const Vec2 foot = layout_.places.axes[body_of(p)];

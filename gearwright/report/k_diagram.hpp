@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// One trace: either the profile in the middle of the face, or the helix in the middle of the
-/// profile.
+/// One trace of the flank. It is either the profile in the middle of the face, or the helix in the
+/// middle of the profile.
 struct FlankTrace {
   std::vector<Vec2> design;          ///< points (L or z in mm, deviation in µm), sorted by L or z
   std::array<double, 2> evaluation;  ///< evaluation range, mm

@@ -57,7 +57,7 @@ std::string facts(const LoadScene& report, UnitSystem units) {
   for (const TextGroup& group : text_groups(quantities.table(), records, kPage, units)) {
     for (const TextRow& row : group.rows) {
       if (row.info->key == "torque_Nm") continue;  // the column headings contain this value
-      // The number of texts for one torque: one, or two if each gear has a value of its own.
+      // The number of texts for one torque. It is 2 if each gear has its own value, otherwise 1.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)
@@ -105,7 +105,8 @@ std::string ellipse_part(const LoadScene& report, const FigureForm& form) {
 }
 
 std::string pressure_part(const LoadScene& report, const FigureForm& form) {
-  // The control is at the first figure, or at the second if the first is above.
+  // The control is below the first figure of this section. If the figure of gear 1 is already at
+  // the head of the page, the control is below the figure of gear 2.
   const std::string control = turn_control(*report.pair);
   const std::string first = form.html(pressure_figure(report, 0), kFigureWidth, control);
   return fmt::format(

@@ -27,7 +27,8 @@ struct FigureForm {
   // This constructor converts a system of units to a form without a prefix.
   FigureForm(UnitSystem in = UnitSystem::mm, std::string before = {})
       : units(in), prefix(std::move(before)) {}
-  /// Returns figure_html() of the figure in this form. Empty if the figure is above or missing.
+  /// Returns figure_html() of the figure in this form. Empty if the figure is already at the head
+  /// of the page, or if there is no figure.
   std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
   std::string html(std::optional<Figure> figure) const;
   /// Returns side_by_side() of these figures and of `more`, which is HTML. If the head of the page
@@ -63,8 +64,8 @@ struct ReportPage {
   std::string head{};         ///< after the verdict
   std::string definitions{};  ///< of shapes
   std::string sections;
-  std::string spec;  ///< the spec, verbatim; omitted if empty
-  std::string foot;  ///< from the sentence after the version to the end of the last paragraph
+  std::string spec;                  ///< the footer after the version, without the final </p>
+  std::string foot;                  ///< the footer after the version, without the final </p>
   std::string_view style{}, script;  ///< in addition to the style and the script of all pages
 };
 std::string page_html(const ReportPage& page);

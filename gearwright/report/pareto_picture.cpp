@@ -61,7 +61,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
         plane ? value_of(problem, row, problem.objectives[1])
               : std::optional(across == Along::ratio ? row.ratio : row.center_distance);
     if (!first || !second) continue;
-    // If there is a single objective, its axis is the vertical one.
+    // If there is a single objective, it is shown on the vertical axis.
     dots.push_back({plane ? Vec2(*first, *second) : Vec2(*second, *first), &row, front[i]});
   }
   return dots;

@@ -30,7 +30,7 @@ TEST(ParetoPicture, TheStaircaseIsTheBorderOfWhatWasFound) {
       points.push_back({std::floor(place(random)), std::floor(place(random))});
     const std::vector<Vec2> corners = staircase(points, greater);
     ASSERT_FALSE(corners.empty());
-    // (1) every point has a corner that is at least as good in both objectives
+    // (1) for every point, a corner of the staircase is at least as good in both objectives
     for (const Vec2& p : points) {
       EXPECT_TRUE(std::any_of(corners.begin(), corners.end(), [&](const Vec2& c) {
         return at_least(c.x(), p.x(), greater[0]) && at_least(c.y(), p.y(), greater[1]);

@@ -23,8 +23,8 @@ constexpr double kDeepest = -8.0;  // least specific sliding at the lower end of
 constexpr double kEndless = -4.0;
 constexpr double kRest = 1e-9;  // pitches; a shorter last piece of the path is a rounding error
 
-// A ruler along the path, with a piece for each transverse base pitch from A. The last piece is the
-// fractional part of the contact ratio.
+// Adds a ruler along the path, which is divided into pieces of one transverse base pitch from A.
+// The length of the last piece is the fractional part of the contact ratio.
 FigureLane ruler_of(const Mesh<double>& mesh) {
   FigureLane ruler{"base pitches", {}};
   for (double from = 0.0; mesh.path_ratio - from > kRest; from += 1.0) {

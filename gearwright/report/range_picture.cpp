@@ -97,8 +97,8 @@ Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& sa
 }
 
 constexpr int kZoomSteps = 80;
-// µm. If the solutions differ by less, no figure is drawn. The rounding error of centre distances
-// is 1e-11 µm.
+// If the solutions differ by less than this value, in µm, no figure is drawn. The rounding error of
+// centre distances is 1e-11 µm.
 constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; difference of angles that count as equal

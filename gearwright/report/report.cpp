@@ -27,7 +27,7 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// px. Width of a figure that has a table or narrow figures beside it, and width of a narrow figure.
+// Width of a figure that has a table or narrow figures beside it, and width of a narrow figure, px.
 constexpr double kWideFigure = 640.0, kNarrowFigure = 420.0;
 
 std::string default_title(const ReportInput& input) {
@@ -139,8 +139,8 @@ std::string foot(const ReportInput& input) {
                    : " Strength is not considered.");
 }
 
-// The figures that decide, at most three: the gears in mesh, then figures of the load, of the
-// contact or of the pair.
+// The most important figures, at most three: first the gears in mesh, then figures of the load, of
+// the contact or of the pair.
 std::vector<Figure> deciding_figures(const ReportInput& input) {
   constexpr std::size_t kMost = 3;
   std::vector<Figure> figures, of_pair;

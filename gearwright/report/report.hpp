@@ -34,7 +34,8 @@ struct ReportInput {
   std::string title;               ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
-  /// The halves of each double-helical gear. `gears` then contains one of its halves.
+  /// The halves of each double-helical gear. If there are any, `gears` contains one half of each of
+  /// these gears.
   std::array<std::optional<Halves>, 2> halves{};
   std::optional<Pair> pair;        ///< none if the gears are not mounted
   const RackPair* rack = nullptr;  ///< null if there is none; else its pinion is the only gear

@@ -36,7 +36,8 @@ std::string pair_table(const Pair& pair, UnitSystem units = UnitSystem::mm);
 /// The points A to E: distance from the pitch point, radii of curvature, sliding.
 std::string path_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
-/// Interference by name and amount, or a sentence if none was found.
+/// The interferences with their names and amounts. If no interference was found, a sentence states
+/// this.
 std::string interference_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 /// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
@@ -45,7 +46,8 @@ std::string interference_table(const InvolutePair& pair, UnitSystem units = Unit
 std::string key_figures(const ReportInput& input);
 
 /// One box for each key for which the records have a value, in the order of `keys`. If there are
-/// several records, a box shows the range from the value of the first record to that of the last.
+/// several records, a box shows the range from the value of the first record to the value of the
+/// last record.
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
                       std::span<const std::string_view> keys, UnitSystem units);
 

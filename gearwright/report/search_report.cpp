@@ -75,7 +75,8 @@ std::string rejected_table(const SearchCounts& counts) {
 std::string reason_list(const std::vector<std::string>& reasons) {
   if (reasons.empty()) return {};
   std::string text = "<ul class=\"reasons\">\n";
-  bool inner = false;  // true within the items of a reason, which begin with a blank
+  // True while reasons that begin with a blank are written. These reasons form an inner list.
+  bool inner = false;
   for (const std::string& reason : reasons) {
     if (const bool item = reason.starts_with(' '); item != inner) {
       text += item ? "<ul>\n" : "</ul>\n";

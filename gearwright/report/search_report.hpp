@@ -18,8 +18,8 @@ struct SearchReport {
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
   const Search& search;
   const SearchAnswer& answer;
-  /// Plain text: warnings. If no design is feasible, also the reasons and the changes that would
-  /// help.
+  /// Warnings in plain text. If no design is feasible, the list also contains the reasons and the
+  /// changes that would help.
   std::vector<std::string> reasons;
   std::size_t rows = 200;             ///< number of designs in the table
   std::string version;                ///< version of the program

@@ -95,8 +95,9 @@ TEST(SearchReport, TextIsTextWhateverItContains) {
   EXPECT_TRUE(has(page, "<pre>title = &quot;&lt;/pre&gt;&lt;b&gt;&quot;\n</pre>"));
 }
 
-// The foot contradicts no column of the table: a rated search has safeties, and a search with
-// allowances has the backlash at the ends of the tolerances.
+// Every sentence at the foot of the page agrees with the columns of the table. If the search is
+// rated, the table has safeties. If the designs have allowances, the table has the backlash at both
+// ends of the tolerances.
 TEST(SearchReport, FootStatesWhatTheNumbersInclude) {
   using Backlash = std::array<double, 2>;
   const auto page_of = [](bool rated, const std::optional<Backlash>& backlash) {

@@ -240,8 +240,9 @@ ObjectiveWords words_of(Objective objective) {
 
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective) {
-  // cost() returns a value only for a ranked (balanced) design. A plot needs a value for every
-  // design, so a copy of the row is marked as balanced.
+  // cost() has a value only for a design with a rank, which is a balanced design. The figure also
+  // shows designs without a rank, so the value is computed for a copy of the row that is marked as
+  // balanced.
   DesignRow any = row;
   any.balanced = true;
   const auto value = cost(problem, any, objective);

@@ -44,8 +44,8 @@ Bounds window(const InvolutePair& pair) {
   const double m = pair.gears[0].spec.normal_module;
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
   const double scale = std::min((kPlot - 60) / size.x(), (kHigh - 110) / size.y());  // px/mm
-  // The height is at least kLow, or as much as the lines of action with their letters and a part of
-  // the cylinders need.
+  // The height leaves room for the lines of action with their letters and for a part of the
+  // cylinders. It is at least kLow.
   const Vec2 half = 0.5 / scale * Vec2(kPlot, std::max(kLow, scale * size.y() + 110.0));
   const Vec2 center = (box.lo + box.hi) / 2;
   return {center - half, center + half};

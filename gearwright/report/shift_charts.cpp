@@ -23,8 +23,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The area of the shifts within the limits of the problem. It has one piece for each sequence of
-// successive tooth numbers for which such shifts exist.
+// The area of the shifts within the limits of the problem. Tooth numbers for which no shift is
+// within the limits separate the area into pieces.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -98,7 +98,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
-  // The limit of undercut, then those of the tips.
+  // The first style is for the limit of undercut. The other styles are for the limits of the tip
+  // thickness.
   constexpr std::array kLimitStyles{"limit-undercut bold", "limit-tip dot", "limit-tip",
                                     "limit-tip dash"};
   limit("undercut", kLimitStyles[0], [](const ShiftLimits& row) { return row.undercut; });
@@ -133,7 +134,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   f.caption = fmt::format(
       " of the rack of gear 1{}. Below the line “undercut”, the cutter undercuts the root. On the "
       "line “pointed”, the tooth ends in a point. Above the lines “tip 0.2” and “tip 0.4”, the tip "
-      "is thinner than 0.2 and 0.4 modules, respectively. Each of these lines meets the line "
+      "is thinner than 0.2 modules or 0.4 modules. Each of these lines meets the line "
       "“undercut” at the least number of teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " The rings mark the best design." : "");

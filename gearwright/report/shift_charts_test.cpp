@@ -20,7 +20,7 @@ TEST(ShiftChartPictures, TheFewestTeethAreThoseOfTheText) {
             figure.npos);
   for (const char* name : {">pointed<", ">tip 0.2<", ">tip 0.4<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
-  EXPECT_EQ(count_of(figure, ">undercut<"), 2u);  // at the curve and in the keys
+  EXPECT_EQ(count_of(figure, ">undercut<"), 2u);  // one label at the curve and one in the legend
   EXPECT_EQ(count_of(figure, "class=\"room\""), 1u);
   EXPECT_EQ(figure.find("gear 2"), figure.npos);
 }
@@ -46,7 +46,7 @@ TEST(ShiftChartPictures, TwelveTeethReachTheSoundContactRatio) {
   EXPECT_NE(figure.find("From 12 teeth on, some profile shift reaches 1.2."), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"curve share"), 5u);
   for (const char* name : {">least shift<", ">¼ of the way<", ">½<", ">¾<", ">greatest shift<"})
-    EXPECT_EQ(count_of(figure, name), 2u) << name;  // at the curve and in the keys
+    EXPECT_EQ(count_of(figure, name), 2u) << name;  // one label at the curve and one in the legend
   EXPECT_EQ(figure.find("required contact ratio"), figure.npos);
   SearchProblem quiet = testing::spur_problem();
   quiet.limits.contact_ratio = 1.4;

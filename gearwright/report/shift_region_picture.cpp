@@ -18,7 +18,7 @@ constexpr double kSmallRegionAspect = 200.0 / 170.0;
 // If the longer side of the region is at least this fraction of the longer side of the rectangle of
 // shift limits, the whole rectangle is shown.
 constexpr double kFairPart = 0.62;
-// The same fraction for small pictures. It is lower, because most small pictures should have the
+// kFairPart for small pictures. The value is lower, because most small pictures should have the
 // same scale.
 constexpr double kSmallFairPart = 0.12;
 

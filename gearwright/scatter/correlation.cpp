@@ -18,8 +18,8 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-// Least permitted square of a diagonal entry of L. If a square is smaller, one input is a function
-// of the others within rounding.
+// Least permitted square of a diagonal entry of L. If a square is smaller, one input is, apart from
+// rounding, a function of the other inputs.
 constexpr double kLeastPivot = 1e-9;
 constexpr double kShownStep = 1e-4;  // resolution of the correlations in the text of an error
 

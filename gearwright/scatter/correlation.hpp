@@ -55,8 +55,8 @@ class Copula {
   std::vector<double> correlated(std::vector<double> u) const;
 
  private:
-  // A coordinate whose score is a weighted sum of its own independent score and the independent
-  // scores of earlier coordinates.
+  // A correlated coordinate. Its score is a weighted sum of independent scores: its own score and
+  // the scores of earlier coordinates.
   struct Row {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L

@@ -96,7 +96,8 @@ TEST(Correlation, OfZeroChangesNoBit) {
   const ScatterTask alone = three_inputs({});
   const ScatterTask task = three_inputs({{0, 1, 0.0, 1}, {1, 2, 0.0, 1}});
   EXPECT_EQ(SamplePoints(alone).first(0, 64), SamplePoints(task).first(0, 64));
-  // An input without a correlation keeps its values, and so does the first of a block.
+  // Inputs 0 and 2 are correlated. Input 1 has no correlation and keeps its values. Input 0 also
+  // keeps its values, because it is the first of the correlated inputs.
   const ScatterTask two = three_inputs({{0, 2, 0.5, 1}});
   const auto before = SamplePoints(alone).first(0, 64);
   const auto after = SamplePoints(two).first(0, 64);
@@ -135,8 +136,9 @@ TEST(Correlation, RefusesAMatrixThatIsNotPositiveDefinite) {
   const ScatterTask inputs = three_inputs({});
   const std::vector<ToleranceCorrelation> good{{0, 1, 0.9, 1}, {1, 2, 0.9, 1}, {0, 2, 0.9, 1}};
   EXPECT_FALSE(check_correlations(inputs.tolerances, good));
-  // With 0.9 and 0.5, the third correlation lies within 0.45 ± √(0.19 · 0.75), up to 0.82749. With
-  // 0.9 and 0.9, it lies within 0.81 ± 0.19, from 0.62, which is farther from 0.5.
+  // If two correlations are 0.9 and 0.5, the third one can be at most 0.45 + √(0.19 · 0.75) =
+  // 0.82749. The message proposes this value for one of the two correlations of 0.9. The
+  // alternative would be to raise 0.5 to 0.62 or more.
   const std::vector<ToleranceCorrelation> bad{{0, 1, 0.9, 1}, {1, 2, 0.9, 1}, {0, 2, 0.5, 1}};
   const auto error = check_correlations(inputs.tolerances, bad);
   ASSERT_TRUE(error);
@@ -148,7 +150,7 @@ TEST(Correlation, RefusesAMatrixThatIsNotPositiveDefinite) {
   EXPECT_FALSE(check_correlations(inputs.tolerances, mended));
   mended[0].value = 0.8276;
   EXPECT_TRUE(check_correlations(inputs.tolerances, mended));
-  // Four inputs with the same correlation require a value greater than −1/3.
+  // If all correlations of four inputs are equal, they must be greater than −1/3.
   std::vector<ScatterTolerance> four = inputs.tolerances;
   four.push_back(testing::distance(0.01));
   std::vector<ToleranceCorrelation> all;

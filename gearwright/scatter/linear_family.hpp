@@ -7,9 +7,9 @@
 //   ΔC     material removed from the member at place i minus material removed from the nominal pair
 //   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC       theory: docs/theory/14-scatter.md, [T14.26]
 //
-// T at a fixed place is nearly linear in the errors (section 14.5). Only T is linearised: TE
-// remains the greatest T over all places. As in the exact computation, the contact can therefore
-// move along the face, edges can begin to touch, and another tooth pair can take over.
+// T at a fixed place is nearly linear in the errors (section 14.5). Only T is linearised, and TE is
+// the greatest T over all places. As in the exact computation, the contact can therefore move along
+// the face, edges can begin to touch, and another tooth pair can come into contact.
 #pragma once
 
 #include <array>

@@ -10,8 +10,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
-// The second difference with kStep divided by the second difference with kWideStep is 1/16 for a
-// smooth function, and 1/4 at a kink. A ratio above kBend indicates a kink.
+// The second difference with kStep is divided by the second difference with kWideStep. The ratio is
+// 1/16 for a smooth function and 1/4 at a kink. A ratio above kBend indicates a kink.
 constexpr double kBend = 1.0 / 8;
 // A kink is ignored if its change of slope, multiplied by w_i, is at most this fraction of the
 // standard deviation of the quantity. Such a kink explains at most 0.5 % of the variance.

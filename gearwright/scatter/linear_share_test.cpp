@@ -1,5 +1,6 @@
-// The gradients are the exact derivatives of contact; a quantity that is linear in the inputs has
-// the share 1, and an even one the share 0. Golden: the closed forms of page 14 for spur gears.
+// The gradients are the exact derivatives of contact. A quantity that is linear in the inputs has
+// the share 1, and a quantity that is an even function of the inputs has the share 0. Golden: the
+// closed forms of page 14 for spur gears.
 #include "gearwright/scatter/linear_share.hpp"
 
 #include <gtest/gtest.h>
@@ -131,7 +132,8 @@ TEST(LinearShare, OfAnEvenQuantityIsZero) {
 TEST(LinearShare, ABendHasNoDerivative) {
   const ContactSetup setup = testing::spur_pair(false).setup();
   EXPECT_FALSE(share_in(setup, indexed({testing::crossing(0.02)}, 4, 64), Q::mean));
-  // A bend with little effect on the scatter is ignored: 1e-5 degrees besides 0.02 mm.
+  // A bend with little effect on the scatter is ignored. Here, the shaft angle varies by 1e-5
+  // degrees, and the centre distance varies by 0.02 mm.
   const auto task = indexed({testing::distance(0.02), testing::crossing(1e-5)}, 4, 64);
   const auto share = share_in(setup, task, Q::mean);
   ASSERT_TRUE(share);

@@ -81,8 +81,8 @@ class FlankTouches {
     }
     return sum / static_cast<double>(touches_.size());
   }
-  // The score. Each position of the contact is taken from the half in which its magnitude is
-  // greater, and edge_share is the mean of both halves.
+  // The score of the member. `along_face` and `along_profile` are each taken from the half in which
+  // their magnitude is greater. `edge_share` is the mean of both halves.
   ContactScore score(const ProfileTarget& profile) {
     ContactScore worst;
     double edges = 0.0;

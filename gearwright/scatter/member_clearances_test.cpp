@@ -1,5 +1,5 @@
-// Law: the clearances of a member are those of a pair that is made anew with its centre distance
-// and its thicknesses. Teeth without a closed form have none.
+// Law: the clearances of a member are equal to the clearances of a new pair with the same centre
+// distance and the same thicknesses. Teeth without a closed form have no clearances.
 #include "gearwright/scatter/member_clearances.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(MemberClearances, AreThoseOfAPairMadeAnew) {
         if (c.tip[i]) {
           EXPECT_NEAR(*c.tip[i], pair.mounted().tip_clearance[i], 1e-12);
         }
-        // Undercut teeth have a closed form for the thickness of the drawing only.
+        // For undercut teeth, the closed form applies only to the thickness of the drawing.
         const auto& form = pair.parallel()->form_clearance[i];
         if (!form || (!closed && i == 0 && x[2] != 0.0) || (changed_ring && i == 1)) {
           EXPECT_FALSE(c.form[i]);
@@ -122,7 +122,8 @@ TEST(MemberClearances, HaveTheDistributionOfTheirSum) {
   EXPECT_NEAR(scatter->indices[at]->total[0].value, a * a / (a * a + b * b), 0.02);
   ASSERT_TRUE(scatter->indices[at]->linear_share);
   EXPECT_NEAR(*scatter->indices[at]->linear_share, 1.0, 1e-9);
-  // The root of gear 1 and its mate's tip depend on the distance only.
+  // The clearance between the root of gear 1 and the tip of gear 2 depends only on the centre
+  // distance.
   const auto& other = scatter->indices[static_cast<std::size_t>(Q::tip_clearance2)];
   ASSERT_TRUE(other);
   EXPECT_EQ(other->total[1].value, 0.0);

@@ -89,7 +89,7 @@ TEST(Member, OfADoubleHelicalPairWithEqualHalvesIsAHalf) {
         EXPECT_FALSE(b[Q::long_period]);
         EXPECT_EQ(b[Q::along_face] == 0.0, lead_slope == 0.0);
       }
-      // Staggered halves touch in the middle of the face too if the teeth have no slope.
+      // Staggered halves also touch in the middle of the face, if the teeth have no slope.
       whole.stagger = 0.5;
       const FamilyMember staggered = member_at(halves, none(halves), whole);
       EXPECT_EQ(staggered[Q::along_face] == 0.0, lead_slope == 0.0);

@@ -104,8 +104,8 @@ TEST(PatternDensity, IsTheClosedFormOfLeadCrownedSpurTeeth) {
     const double z = flank.height[k];
     const double share =
         std::max(0.0, std::min(far, z + half) - std::max(-far, z - half)) / (2 * far);
-    // The tolerance covers one of the 64 points of each replicate at each end of the interval, and
-    // the terms of second order of the gap.
+    // The tolerance allows for one wrong point among the 64 points of each replicate at each end of
+    // the interval, and for the second-order terms of the gap.
     EXPECT_NEAR(flank.share(row * columns + k, d.samples), share, 2.0 / 64) << z;
   }
 }

@@ -100,7 +100,8 @@ TEST(PlayBound, NoMemberHasLess) {
   }
 }
 
-// A kink of the flank is not convex. A peak to peak is a difference of two convex functions.
+// The bound assumes convex functions. A flank with a kink is not convex. A peak to peak is a
+// difference of two convex functions, so it is not convex either.
 TEST(PlayBound, IsNoneWithoutConvexity) {
   const std::vector<ScatterTolerance> tolerances{testing::distance(0.02), testing::crossing(0.02)};
   testing::DrawnPair drawn = testing::spur_pair(true);

@@ -18,8 +18,8 @@ namespace gearwright {
 std::vector<double> corrections_under_load(const ContactSetup& setup, const ScatterTask& task,
                                            const RobustTask& robust);
 
-/// The family of the task `judged`, in which f is the value under the worst of the torques. None if
-/// no sample has a solution.
+/// Computes the family of the task `judged`. f of a sample is the loaded peak to peak under the
+/// worst of the torques. The result is none if no sample has a solution.
 std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const ScatterTask& judged,
                                               const LoadedFamily& load);
 

@@ -55,7 +55,8 @@ TEST(Robust, CrowningIsThatOfAScan) {
 }
 
 TEST(Robust, NothingIsWorseThanNothing) {
-  // The pair has sufficient crowning. More crowning or a slope gains little or nothing.
+  // The crowning of this pair is already sufficient. Neither more crowning nor a slope gives a
+  // noticeable improvement.
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   ScatterTask task = housing(12, 64);
   const RobustTask robust{{{Modification::lead_crowning, 1}, {Modification::profile_slope, 2}},
@@ -68,7 +69,8 @@ TEST(Robust, NothingIsWorseThanNothing) {
 }
 
 TEST(Robust, ConjugateTeethAreLeftAlone) {
-  // Parallel spur teeth under a change of the centre distance alone have no transmission error.
+  // If only the centre distance of spur gears on parallel axes varies, there is no transmission
+  // error.
   const ContactSetup setup = testing::spur_pair(false).setup();
   ScatterTask task = housing(8, 16);
   task.tolerances = {testing::distance(0.0175)};

@@ -27,8 +27,9 @@ class SamplePoints {
 
   /// x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
-  /// x of sample n of a second set, which is independent of at(). The points have twice as many
-  /// coordinates as x. at() uses the first half of them, and this function uses the second half.
+  /// x of sample n of a second set of samples, which is independent of the set of at(). The points
+  /// of the sequence have twice as many coordinates as x. at() uses the first half of the
+  /// coordinates, and this function uses the second half.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }

@@ -124,7 +124,8 @@ struct WorstMember {
 /// becomes wider or narrower about the nominal value, and all others stay the same.
 struct Loosening {
   /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak-to-peak value
-  /// at `percent`, in rad. It is taken from the first replicate, with the tolerances unchanged.
+  /// at `percent`, in rad. The value is taken from the first replicate, with all tolerances as
+  /// specified.
   double percent, percentile;
   struct Change {
     /// Greatest factor at which the percentile exceeds `percentile` by at most the fraction
@@ -166,8 +167,9 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 /// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
 
-/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if it is a
-/// corner, or if its peak to peak exceeds `known` by less than 2 % or by less than 0.01″.
+/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if this
+/// point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by less than
+/// 0.01″.
 ///
 /// Formula   [T14.15]
 /// Domain    at least one tolerance (contract)

@@ -52,8 +52,9 @@ TEST(Spread, IntervalsContainTheExactPercentiles) {
   EXPECT_GE(deviation, 0.90 * kTrials);
 }
 
-// Two replicates with only zeros and only tens give intervals from far below 0 to far above 10. If
-// the values of the quantity are limited to 0 to 10, the intervals end at 0 and at 10.
+// Two replicates, one with only zeros and one with only tens, give intervals that extend far below
+// 0 and far above 10. If the values of the quantity are limited to 0 to 10, the intervals end at 0
+// and at 10.
 TEST(Spread, IntervalsEndAtPossibleValues) {
   ScatterTask task;
   SampleValues values(2 * kSumSamples, 0.0);

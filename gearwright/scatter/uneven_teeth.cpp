@@ -69,8 +69,8 @@ class PairCurve {
         offer_and_walk(m, t);
       }
     }
-    // A branch that never leads if the pitches are equal may lead if they are unequal, so one more
-    // pitch is searched on each side.
+    // If the pitches are equal, some branches never determine TE. With unequal pitches, such a
+    // branch may determine TE, so one more pitch is searched on each side.
     const int from = std::max(-most_, least() - n_);
     const int to = std::min(most_, greatest() + n_);
     if (transmission_.wavy()) {
@@ -178,7 +178,7 @@ double long_period_span(Transmission& transmission, const std::vector<PairTouch>
     return ratio * of(0) - of(1);
   };
   const long period = std::lcm(static_cast<long>(teeth[0]), static_cast<long>(teeth[1]));
-  // At position i of a pitch, the tooth pair k pitches earlier is at step m = i + k n of `curve`.
+  // At position i of a pitch, the tooth pair of k pitches before is at step m = i + k n of `curve`.
   const int lo = curve.least();
   const int hi = curve.greatest();
   const int from = static_cast<int>(std::floor(static_cast<double>(lo) / n));

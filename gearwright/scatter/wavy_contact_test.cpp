@@ -80,7 +80,8 @@ TEST(WavyContact, FollowsTheGreatestCrest) {
     for (int i = 2; i < n; i += 4) {
       const double phi = -0.5 * pair.pitch() + pair.pitch() * i / n;
       const double grid = greatest_on_a_grid(pair, phi);
-      constexpr double kParabola = 0.02 * kRadPerArcsec;  // error of the grid at a crest
+      // Error of the parabola through the grid at a crest.
+      constexpr double kParabola = 0.02 * kRadPerArcsec;
       EXPECT_GE(te[static_cast<std::size_t>(i)], grid - kParabola) << height << " position " << i;
       EXPECT_GE(again.at(phi).te(), grid - kParabola) << height << " position " << i << ", alone";
     }
@@ -119,7 +120,8 @@ TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   }
 }
 
-// A gear without any deviation has no field. Its involute still has its base circle.
+// A gear without deviations has no field of removed material. Contact is then computed from its
+// base circle.
 TEST(WavyContact, OneGearMayHaveNoWaves) {
   for (const std::size_t plain : {0, 1}) {
     testing::SamplePair sample = wavy(0.008, 3, 3, 0.9);
@@ -140,8 +142,9 @@ TEST(WavyContact, OneGearMayHaveNoWaves) {
   }
 }
 
-// With the closed form of the waves, 32 positions of the curve need less than 20 evaluations each.
-// Without it, each would need 1000. The extremes do not depend on the number of positions.
+// Because the waves have a closed form, each of the 32 positions of the curve needs less than 20
+// evaluations. Without the closed form, a position would need 1000. The extremes do not depend on
+// the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
   const testing::SamplePair sample = wavy(0.009, 2, 4, 1.7);
   const ContactPair pair = sample.pair();
@@ -160,7 +163,8 @@ TEST(WavyContact, NeedsFewEvaluations) {
   }
   EXPECT_GE(extremes.greatest, greatest - 1e-12);
   EXPECT_LE(extremes.least, least + 1e-12);
-  // Between the many positions, TE falls by its slope times half a step at most.
+  // The extremes may lie between two of the many positions. There, TE differs from the nearest
+  // position by at most its slope times half a step.
   EXPECT_NEAR(extremes.span(), greatest - least, 0.1 * kRadPerArcsec);
 }
 

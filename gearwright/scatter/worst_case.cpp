@@ -61,7 +61,7 @@ class Box {
     count_step(task_.progress);
     return found ? value(*found) : -std::numeric_limits<double>::infinity();
   }
-  // Converts a badness to the quantity, or the quantity to its badness.
+  // Converts the maximised number to the quantity, or the quantity to the maximised number.
   double value(double badness) const {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
@@ -111,8 +111,8 @@ class Box {
     return true;
   }
 
-  // The point x with rounded numbers of waves. It describes the same member as x, because a member
-  // rounds these numbers too.
+  // The point x with rounded numbers of waves. It describes the same member as x, because
+  // deviation_at() also rounds numbers of waves.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -218,7 +218,8 @@ Place climb(const Box& box, Place place, double first, double last) {
   return place;
 }
 
-// Keeps the `count` worst places. Searches that have ended at the same place are counted once.
+// Keeps the `count` worst points. If several searches have ended at the same point, it is kept
+// once.
 void keep_worst(std::vector<Place>& places, std::size_t count) {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.badness > b.badness; });
@@ -266,7 +267,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
   const std::vector<double> x = box.with_whole_waves(std::move(starts[0].x));
   WorstMember worst{box.value(starts[0].badness), x, box.is_corner(x), {}};
-  // Corners beyond the circle of a bore are used, because their polygon contains the circle.
+  // The bound is valid only if the polygon of the corners contains the circle of a bore. The
+  // corners therefore lie outside this circle.
   if (quantity == ScatterQuantity::least_play)
     worst.bound = least_play_bound(setup, task,
                                    box.all_corners(1 / std::cos(std::numbers::pi / kDirections)));

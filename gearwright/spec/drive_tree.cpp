@@ -1,5 +1,6 @@
-// Parts of a drive's spec that its graph does not contain: the materials of the gears, the speed
-// for [rating], and the table [drive] that replaces [planetary] or [[stage]].
+// Reads and replaces the data of a drive that are in its spec but not in its graph: the materials
+// of the gears, the speed for [rating], and the table [drive] that replaces [planetary] or
+// [[stage]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +34,8 @@ void visit_material(const Json& owner, const std::string& path,
   for (const std::string& gear : gears) visit(gear, key, node);
 }
 
-// Visits the common material of all members, or the materials of the members that have their own.
+// Visits the materials of the members. If the members have materials of their own, visits each of
+// these materials. Otherwise, visits the common material.
 void visit_set(const Json& set, const std::string& path, const std::string& prefix,
                const MaterialVisit& visit) {
   if (!set.is_object() || !set.contains("material")) return;
@@ -113,7 +115,8 @@ std::string_view word(Spacing spacing) {
   return planetary_keys().find("spacing")->words[static_cast<std::size_t>(spacing)];
 }
 
-// The angle in degrees without the rounding error of radians: 12, not 12.000000000000002.
+// The angle in degrees, rounded so that the conversion from radians leaves no rounding error. For
+// example, the result is 12 and not 12.000000000000002.
 double tidy(Angle angle) {
   const double deg = angle.deg();
   const double rounded = std::round(deg * 1e9) / 1e9;

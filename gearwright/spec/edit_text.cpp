@@ -103,8 +103,8 @@ class Editor {
     std::size_t from = offset(key->source().begin);
     std::size_t to = range(node->source()).second;
     if (table->is_inline() && depth > 0) {
-      // Removes one comma as well: the next comma, or the previous comma if the element is the
-      // last.
+      // Also removes one comma, so that the list of elements stays valid. It is the comma after the
+      // element or, for the last element, the comma before it.
       const std::size_t next = text_.find_first_not_of(" \t", to);
       if (next != std::string::npos && text_[next] == ',') {
         to = text_.find_first_not_of(" \t", next + 1);

@@ -67,8 +67,9 @@ bool hand_on_helix(const Json& from, Json& to) {
   return true;
 }
 
-// Copies the quantity `key`, given by this key or one of its aliases, from gear 1. A value in the
-// transverse section is converted, because the helix angle of gear 2 may be different.
+// Copies one quantity of gear 1 to gear 2, unless gear 2 gives this quantity. Either gear may give
+// the quantity by `key` or by an alias of this key. A value in the transverse section is converted,
+// because the helix angle of gear 2 may be different.
 void hand_on(const Json& from, Json& to, const std::string& key) {
   const Keys ways = gear_keys().ways(key);
   if (has_any(to, ways)) return;

@@ -16,7 +16,7 @@
 namespace gearwright {
 
 struct Inherited {
-  Json tree;                 ///< the spec with the keys of gear 2 written out
+  Json tree;                 ///< the spec, in which gear 2 has all its keys
   bool helix_angle = false;  ///< true if gear 2 takes the helix angle of gear 1; such an angle
                              ///< counts as not given
   std::vector<std::string> noted{};  ///< copied keys that are not dimensions: material, quality
@@ -36,8 +36,8 @@ Json with_named_materials(const Json& tree);
 /// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by
 /// another gear or given by its base cylinder takes no dimensions of the teeth. The helix is not
 /// copied if the axes cross at a given angle. Face width, gap and stagger are not copied if the
-/// axes cross or if the spec has [fit]. A rack of arcs that cuts only one gear is not copied. An
-/// unknown gear takes nothing if its mating gear has no module.
+/// axes cross or if the spec has [fit]. A rack of arcs is not copied if it can cut only one gear of
+/// a pair. If gear 2 is unknown and gear 1 has no module, nothing is copied.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

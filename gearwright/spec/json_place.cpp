@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-// Reads through a text that is valid JSON, so no step checks the syntax.
+// Moves through a text. The text is valid JSON, so the syntax is not checked.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}

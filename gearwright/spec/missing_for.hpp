@@ -41,8 +41,8 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<std::string, 2>& tables, int halves = 1);
 
 /// The table that contains the material of a gear: the gear's own table, the table of gear 1, or
-/// [rating.material]. If the spec has none of these, it is the table in which a material would be
-/// given.
+/// [rating.material]. If none of these tables exists, it is the table in which the user should give
+/// the material.
 std::string material_table(const JobSpec& spec, int which);
 
 }  // namespace gearwright

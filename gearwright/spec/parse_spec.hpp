@@ -19,8 +19,8 @@ struct SpecTree {
   Json tables;
 };
 
-/// The tree of a spec, with members in the order of the text. The nesting is limited, and every key
-/// of a table must occur once, in JSON as well.
+/// The tree of a spec, with members in the order of the text. The nesting is limited. A key must
+/// not occur twice in a table, in TOML or in JSON.
 ///
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);

@@ -56,7 +56,8 @@ Json set_of_stage(TableReader& t, const Json& node) {
                           "friction_coefficient", "speed_rpm", "material"}) {
     if (node.contains(key) && !set.contains(key)) set[key] = node[key];
   }
-  // Keys of one quantity replace each other, so the set inherits all of them or none.
+  // A quantity can be given by one of several keys. If the set has one of these keys, it inherits
+  // none of them. Otherwise it inherits all of them.
   const auto inherit_one_of = [&](std::initializer_list<const char*> keys) {
     if (std::any_of(keys.begin(), keys.end(), [&](auto key) { return set.contains(key); })) return;
     for (const char* key : keys)

@@ -59,8 +59,8 @@ void refuse_in_drive(const Json& node, const std::string& path);
 /// Rejects a double-helical gear without a face width.
 void need_whole_face(const GearInput& gear, const std::string& path);
 
-/// Sets the number of whole teeth that fit into the length of a rack, if the table `t` gives it. The
-/// transverse pitch is none if it is not known.
+/// If the table `t` gives the length of a rack, sets the number of whole teeth that fit into this
+/// length. If the transverse pitch is not known, the argument for the pitch is none.
 void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar);
 
 /// The graph of the table [drive]. File names of its gears are relative to `folder`.

@@ -151,7 +151,7 @@ void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar) 
   if (!length) return;
   if (!pitch) t.fail(kKey, "needs the pitch of the rack; give normal_module_mm of its pinion");
   constexpr double kMost = 100'000;   // teeth
-  constexpr double kRounding = 1e-9;  // pitches, of the product n p_t
+  constexpr double kRounding = 1e-9;  // pitches; rounding error of the product n p_t
   const double teeth = std::floor(*length / *pitch + kRounding);
   if (teeth < 1 || teeth > kMost)
     t.fail(kKey,

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// Rejects numbers of teeth of members that drives of this kind do not have.
+// Rejects the numbers of teeth of members that this kind of drive does not have.
 void check_members(const TableReader& t, const DriveSearchProblem& p) {
   constexpr const char* kTeeth[] = {"sun_teeth",     "sun2_teeth", "idler_teeth", "planet_teeth",
                                     "planet2_teeth", "ring_teeth", "ring2_teeth"};
@@ -26,7 +26,7 @@ void check_members(const TableReader& t, const DriveSearchProblem& p) {
   }
 }
 
-// Rejects keys and tables of numbers that drives of this kind do not have.
+// Rejects keys and tables of numbers that this kind of drive does not have.
 void check_kind(TableReader& t, const Json& search, bool train) {
   if (!train) {
     for (const char* key : {"stages", "pinion_teeth", "wheel_teeth", "center_distance_mm"})

@@ -92,7 +92,8 @@ double count_of_overlaps(const SearchProblem& p, std::size_t ratios) {
   return count * static_cast<double>(ratios);
 }
 
-// Reads the whole overlap ratios, from which the helix angles follow.
+// Reads the overlap ratios, which are whole numbers. The helix angles follow from the overlap
+// ratios.
 void read_overlaps(TableReader& t, SearchProblem& p) {
   const char* const key = "overlap_ratio";
   const auto ratios = t.numbers(key);

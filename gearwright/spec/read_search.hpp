@@ -1,6 +1,7 @@
-// Reads [search] of a spec, for pairs or for drives, and the inputs of a search in other tables:
-// the pressure angle, rack, helix and face width of [gear1] and [gear2], which a search does not
-// choose, and the load of [rating]. Reads [scatter].
+// Reads the table [search] of a spec, for pairs or for drives. Some inputs of a search are in other
+// tables. The pressure angle, the rack, the helix and the face width, which a search does not
+// choose, are in [gear1] and [gear2], and the load is in [rating]. These inputs and the table
+// [scatter] are also read here.
 //
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
@@ -56,11 +57,12 @@ void read_search_rating(const Json& tree, JobSpec& spec);
 /// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";
 
-/// Sets up a search so that each design is judged by its drawing, which adds the tolerances of
-/// tooth thickness and centre distance to the nominal gears. Designs are not judged in this way in
-/// four cases: on crossed axes, on a grid of profile shifts, if designs with interference are also
-/// listed, or if the search has the key `mounting` but has no key of tolerances and does not choose
-/// face widths. `search` is the table [search]. read_search_rating() must be called before.
+/// Sets up a search so that each design is judged as on a drawing, with tolerances of the tooth
+/// thickness and of the centre distance. Four kinds of searches judge nominal gears instead. These
+/// are searches on crossed axes, searches on a grid of profile shifts, and searches that also list
+/// designs with interference. The fourth kind has the key `mounting` but no key of tolerances, and
+/// does not choose face widths. `search` is the table [search]. read_search_rating() must be called
+/// before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a [search] for drives, which is a table [search] with the key `kind`.

@@ -198,8 +198,9 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  // If `mounting` is given without any key of tolerances (not even thickness_series = "none") and
-  // without face widths to choose, the designs have nominal teeth as in the theory.
+  // The designs have nominal teeth, as in the theory, if `mounting` is given, no face widths are
+  // chosen and no key of tolerances is given. The value thickness_series = "none" also counts as a
+  // key of tolerances.
   const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.has_face_band();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;

@@ -63,8 +63,8 @@ class SetFinder {
     return !is_ring(&gear) && std::any_of(others.begin(), others.end(), is_ring);
   }
 
-  // Gears for which this text is equal are copies of one planet. They have equal numbers of teeth
-  // and equal neighbours on their shafts, and mesh with the same central gears.
+  // Two gears with the same text are copies of one planet. Such gears have the same number of
+  // teeth, the same neighbours on their shafts, and meshes with the same central gears.
   std::string kind_of(const Component& gear) const {
     std::multiset<std::string> others;
     for (const Component* p : partners(gear))
@@ -237,7 +237,8 @@ class SetFinder {
     for (auto* ends : {&defining, &speed_only})
       std::sort(ends->begin(), ends->end(),
                 [](const RexsEnd& a, const RexsEnd& b) { return a.load < b.load; });
-    // If nothing else is the output, a body for which only the speed is defined is the output.
+    // If only the speed of a body is defined, this body can be an input or the output. It is the
+    // output if another body is an input and no other body is the output.
     if (following.empty() && !defining.empty()) std::swap(following, speed_only);
     std::copy(speed_only.begin(), speed_only.end(), std::back_inserter(defining));
     if (following.size() > 1)

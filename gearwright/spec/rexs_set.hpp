@@ -2,8 +2,8 @@
 // bodies, the inputs and the output. Internal to spec/.
 //
 // A held body is connected to the casing by a coupling. A body with a load is an input if the load
-// defines a torque or the shaft defines a speed. Otherwise, it is the output. If no body is
-// connected to the casing and two of three central bodies have a load, the third is held.
+// defines a torque or the shaft defines a speed. Any other body with a load is the output. If no
+// body is connected to the casing and two of three central bodies have a load, the third is held.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace gearwright {
 bool is_rexs_gear(const RexsComponent& component);
 /// The name in quotation marks, or the type and the id of a component without a name.
 std::string rexs_name(const RexsComponent& component);
-/// z, < 0 for a ring.   Domain  a gear with `number_of_teeth`
+/// z, which is negative for a ring.   Domain  a gear with `number_of_teeth`
 int rexs_teeth(const RexsComponent& gear);
 
 struct RexsStage {

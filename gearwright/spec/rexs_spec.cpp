@@ -225,8 +225,8 @@ class Reader {
     return torque_on(shaft) || shaft.text("defines_speed") == "true";
   }
 
-  // The chain of stages along their common shafts. It starts at the shaft with the given torque or
-  // speed, or at the first stage if there is none.
+  // The chain of stages along their common shafts. The chain starts at the shaft with the given
+  // torque or speed. If no torque and no speed is given, it starts at the first stage.
   Result<Json> train() {
     const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
       RexsStage* found = nullptr;

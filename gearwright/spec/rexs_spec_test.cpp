@@ -128,7 +128,7 @@ struct SetFile {
            "\"><ref role=\"planetary_stage\" id=\"5\"/><ref role=\"shaft\" id=\"" + shaft +
            "\"/></relation>";
   }
-  // A coupling of two parts with the given state, if it can be switched.
+  // Couples two parts. If `engaged` is given, the coupling is switchable and has this state.
   SetFile& couple(const std::string& inner, const std::string& outer,
                   const char* engaged = nullptr) {
     const std::string id = "k" + inner + outer;

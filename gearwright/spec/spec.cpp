@@ -212,8 +212,8 @@ void refuse_planets(const Json& tree) {
                        "[[stage]] or [drive])"}};
 }
 
-// Rejects another form of gear 2 than a gear or a rack. Only with a known form are the keys of
-// [gear2] known.
+// Rejects a gear 2 whose form is neither a gear nor a rack. The form determines which keys [gear2]
+// may contain.
 void check_form(const Json& gear_2) {
   const auto form = gear_2.find("form");
   if (form == gear_2.end() || !form->is_string() || *form == "gear" || is_rack(gear_2)) return;

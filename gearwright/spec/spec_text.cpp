@@ -57,7 +57,7 @@ Json to_json(const toml::node& node) {
   if (const auto* v = node.as_floating_point()) return v->get();
   if (const auto* v = node.as_boolean()) return v->get();
   if (const auto* v = node.as_string()) return v->get();
-  // A date or time becomes the text as it is written.
+  // A date or a time is converted to a text, exactly as it is written in the spec.
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   return text.str();
@@ -156,8 +156,8 @@ std::optional<int> deep_line(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Two runs of digits in a line: the run that ends before one position, and the run that begins
-// at another.
+// Finds two runs of digits in a line. The first run ends before one position, and the second run
+// begins at another position.
 struct Digits {
   std::string_view before, after;
 };
@@ -210,7 +210,8 @@ TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// The key of `table` with which `path` begins. If `path` begins with several keys, the longest one.
+// Returns the key of `table` with which `path` begins. If `path` begins with several keys, returns
+// the longest of them.
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {

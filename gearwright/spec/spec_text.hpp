@@ -44,7 +44,7 @@ std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key
 // unchanged.
 
 /// `path` has the form that errors use, for example "gear1.rack.dedendum". `value` is JSON text.
-/// Null removes the key, and its line if the key has a line of its own.
+/// Null removes the key. If the key is alone on a line, the whole line is removed.
 ///
 /// An absent key is added at the end of its table. An absent table is added at the end of the text.
 /// Keys of an inline table { … } are set inside the braces.

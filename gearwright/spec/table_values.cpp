@@ -1,5 +1,5 @@
-// The values of a table: numbers, words, texts, lists of them, numbers by name and series. Each is
-// checked against the range and the form that its key declares.
+// The values of a table: numbers, words, texts, lists of them, numbers by name and series. Each
+// value is checked against the range and the form that its key declares.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -164,8 +164,8 @@ constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
 // variance.
 constexpr std::array<std::string_view, 1> kShares{"indices"};
 
-// `unit` is the unit of the nearest outer key that has one. `per` is the unit of an outer key whose
-// value is a table of values per length.
+// `unit` is the unit of the nearest outer key that has a unit. If the value of an outer key is a
+// table of values per length, `per` is the unit of this length.
 Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* per) {
   if (value.is_number() && (unit || per)) {
     double x = value.get<double>();

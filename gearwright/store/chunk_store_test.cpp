@@ -146,8 +146,8 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
   fs::copy_file(file(2), file(5), fs::copy_options::overwrite_existing);
   fs::remove(file(6));
   write(file(7), "");
-  // Unfinished files of a dead process, of a live process, of another host, and an old one of
-  // another host.
+  // Four unfinished files: of a dead process, of a live process, a recent file of another host, and
+  // an old file of another host.
   char host[256] = {};
   ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
   const std::string here = std::string(".0.part.") + host + ".";
@@ -237,7 +237,8 @@ TEST_F(ChunkStoreTest, the_chunks_outlive_the_journal) {
       << message;
   for (const bool empty : {false, true}) {
     fs::remove(folder_ / "journal.sqlite");
-    if (empty) write(folder_ / "journal.sqlite", "");  // killed before the first row
+    // as if the process had been killed before the first row.
+    if (empty) write(folder_ / "journal.sqlite", "");
     EXPECT_TRUE(contains(refusal(OpenAs::fresh, campaign(5)),
                          "3 of 5 chunks done; continue it with --resume"));
     for (const OpenAs as : {OpenAs::fresh, OpenAs::resume, OpenAs::join}) {

@@ -27,7 +27,8 @@ class Thrift {
  public:
   enum class Kind { i32 = 5, i64 = 6, binary = 8, list = 9, structure = 12 };
 
-  // These functions write fields of the open struct. A new Thrift is an open struct.
+  // These functions write fields of the struct that is currently open. In a new Thrift, the
+  // outermost struct is open.
   void i32(int field, std::size_t value) { header(field, Kind::i32), element(value); }
   void i64(int field, std::size_t value) { header(field, Kind::i64), element(value); }
   void binary(int field, std::string_view bytes) { header(field, Kind::binary), element(bytes); }

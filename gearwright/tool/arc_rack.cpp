@@ -152,7 +152,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
   if (y_c > kHalfPi) {
     // The rounding with the full radius may touch the circle of the flank beyond the end of the
-    // flank. Every smaller rounding then also does, so only the dedendum can be reduced.
+    // flank. In this case, every smaller rounding also touches the circle beyond the end, so only
+    // the dedendum can be reduced.
     ArcRack full = rack;
     full.root_fillet_radius = full_radius(rack);
     return full.root_fillet_radius >= 0.0 && !check_joint(full)

@@ -36,9 +36,11 @@ TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   const Angle psi = Angle::degrees(30);
   const RackOfArcs F = *arcs_of(rack_of(Cutter::F)), P = *arcs_of(rack_of(Cutter::P));
   const Vec2 on_F = point_at(F.arcs.back(), psi), on_P = point_at(P.arcs.back(), psi);
-  EXPECT_NEAR(on_F.x(), -on_P.x(), 1e-15);           // heights from one pitch plane
-  EXPECT_NEAR(on_F.y(), kPi / 2 - on_P.y(), 1e-15);  // a tooth lies in a space
-  // The normals of both sides meet on the pitch plane, in the middle.
+  // Both heights are measured from the pitch plane.
+  EXPECT_NEAR(on_F.x(), -on_P.x(), 1e-15);
+  // A tooth of one rack lies in a space of the other.
+  EXPECT_NEAR(on_F.y(), kPi / 2 - on_P.y(), 1e-15);
+  // The normals of both sides meet on the pitch plane, in the middle of the tooth.
   EXPECT_NEAR(on_F.y(), on_F.x() / std::tan(psi.rad()), 1e-15);
 }
 

@@ -23,8 +23,9 @@ constexpr Row kRows[] = {{2.0, 0.7086, 0.4030, 0.5049, 9 + 25.0 / 60 + 31.0 / 36
 // computed from rounded inputs.
 constexpr double kPrinted = 1.5e-4;
 constexpr double kPrintedAngle = 2e-3;  // degrees
-// If l_f is rounded by 5e-5, the root radius changes by l_f/(ρ_f − x_f − h_f) times as much, which
-// is 2.6 to 2.8 times. The rounding of ρ_f and x_f changes it by the same amount.
+// A rounding error of 5e-5 in l_f changes the root radius by l_f/(ρ_f − x_f − h_f) times this
+// error, that is 2.6 to 2.8 times. The rounding of ρ_f and x_f changes the root radius by the same
+// amount.
 constexpr double kPrintedRoot = 3e-4;
 
 TEST(DoubleArcRack, the_standards_table_closes) {

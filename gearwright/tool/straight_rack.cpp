@@ -257,8 +257,8 @@ std::optional<Error> EdgeMaker::add_flank() {
   return std::nullopt;
 }
 
-// Adds what follows the flank: the rounding at the bottom of the cutter, or the ramp of a
-// semi-topping cutter. [T3.5]
+// Adds the end of the edge, beyond the flank. It is the rounding at the bottom of the cutter, or
+// the ramp of a semi-topping cutter. [T3.5]
 std::optional<Error> EdgeMaker::add_bottom() {
   const double rho_1 = rack_.tip_fillet_radius * m_;
   if (rho_1 > 0.0) {

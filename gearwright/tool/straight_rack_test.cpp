@@ -107,8 +107,9 @@ TEST(StraightRack, flank_starts_where_iso_says) {
   EXPECT_FALSE(iso53_rack("iso53-a"));
 }
 
-// The rounding is a full radius if its centre is in the middle of the cutter's tooth. Then h_f, α
-// and ρ satisfy the known formula, and a slightly smaller radius leaves a tip land.
+// The rounding is a full radius if its centre is in the middle of the cutter's tooth. Dedendum,
+// pressure angle and radius are then related by the known formula, and a slightly smaller radius
+// leaves a tip land.
 TEST(StraightRack, full_radius) {
   StraightRack rack;
   const double full = full_radius(rack, 20_deg);

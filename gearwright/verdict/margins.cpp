@@ -127,7 +127,7 @@ double rounded_down(double x) {
 
 std::string rating_remedy(const JudgedRating& rating) {
   const RatedPair& pair = *rating.pair;
-  // A computed K_Hβ applies only to this face width and torque.
+  // A computed K_Hβ applies only to the face width and the torque for which it was computed.
   const bool fixed = rating.input->face_load_computed;
   const auto face = fixed ? std::nullopt
                           : face_width_of_safety(pair, *rating.input, rating.wanted,

@@ -11,8 +11,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The numbers of red and amber findings. Two scores are compared by their red findings, and by
-// their amber findings only if the red ones are equal in number.
+// The numbers of red and amber findings. The score with fewer red findings is better. If both
+// scores have the same number of red findings, the score with fewer amber findings is better.
 struct Score {
   int red = 0, amber = 0;
   auto operator<=>(const Score&) const = default;
@@ -154,8 +154,8 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
     }
   };
   try_places();
-  // The range of profile shifts with neither undercut nor a thin tip may be so narrow that it lies
-  // between two of the tried values. More values are then tried.
+  // The range of profile shifts with neither undercut nor a thin tip may lie between two of the
+  // tried values, because it can be very narrow. More values are therefore tried.
   if (!best && lever.what == Adjustable::profile_shift && depth != TryDepth::with_contact) {
     constexpr int kFine = 20;
     for (int i = 1; i < kFine; ++i) places.push_back(steps_for(i * lever.span / kFine));

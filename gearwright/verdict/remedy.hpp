@@ -27,7 +27,7 @@ struct Means {
   Adjustable what;
   Whose whose;
   int direction;  ///< +1 for more shift, a longer or thicker tooth, more teeth, more width or a
-                  ///< greater distance; −1 for less
+                  ///< greater distance; −1 for the opposite
 };
 
 struct Cure {

@@ -48,7 +48,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << words;
   EXPECT_EQ(severity_of({WarningCode::transverse_contact_ratio, "", 0}), Severity::note);
 
-  // Contact is continuous at this width but no longer if the width is 0.01 mm smaller.
+  // Contact is continuous at this width, but not at a width that is 0.01 mm smaller.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
   const ParallelPair narrow = testing::two_and_sixty(3.45);
   ASSERT_LT(narrow.contact_ratio_true(), 1.0);
@@ -162,8 +162,8 @@ TEST(Verdict, no_backlash_is_a_note) {
   EXPECT_TRUE(judged(helical_pair()).findings.empty());
 }
 
-// Published pairs: gears FZG C, and the second planetary stage of a wind turbine of 5 MW. With shifts
-// of four decimals, their nominal backlash is −0.06 µm and −0.44 µm.
+// Published pairs: gears FZG C, and the second planetary stage of a wind turbine of 5 MW. With
+// shifts of four decimals, their nominal backlash is −0.06 µm and −0.44 µm.
 TEST(Verdict, published_pairs_with_rounded_shifts_run) {
   const auto level = [](const Gear& pinion, const Gear& wheel, double a) {
     return judged(testing::taken(mount_as<ParallelPair>(pinion, wheel, {.center_distance = a})))
@@ -207,8 +207,8 @@ TEST(Verdict, OfARackThatNeedsTheOverlapOfHelicalTeeth) {
 }
 
 // A centre distance that is rounded to four decimals changes j_n by at most 2 · 0.5e-4 tan α_n =
-// 3.6e-5 mm, so pairs and racks at this distance are green. A distance that is smaller by 5e-4 mm is
-// red, and no backlash is printed as too thick by 0.0000 mm.
+// 3.6e-5 mm, so pairs and racks at this distance are green. A distance that is smaller by 5e-4 mm
+// is red. The headline never contains "0.0000 mm".
 TEST(Verdict, a_rounded_centre_distance_is_no_negative_backlash) {
   const Gear pinion = sample_gear(20, 2, 0, 0.2, 0.0, -0.05), wheel = sample_gear(41, 2, 0, 0.1);
   const double a =
@@ -248,7 +248,8 @@ TEST(Verdict, says_small_clearances_in_micrometres) {
   EXPECT_TRUE(finds_text(0.0, "is less than 0.001 µm"));
 }
 
-// The finding states by how much outlines with circular arcs meet before their flanks.
+// For teeth with circular arcs, the finding states by how much the outlines meet before the flanks
+// meet.
 TEST(Verdict, early_contact_has_its_amount) {
   int early = 0;
   for (double longer = 0.0; longer < 4.0; longer += 0.1) {

@@ -414,7 +414,7 @@ class Contact(unittest.TestCase):
             self.assertGreater(j["contact"]["least_play_deg"], 0)
             return [w["message"] for w in j["warnings"] if w["code"] == "jam"]
         self.assertEqual(told(-0.3), [])
-        self.assertIn("root fillets and flanks are in contact at once", told(-0.1)[0])
+        self.assertIn("root fillets and flanks are in contact at the same time", told(-0.1)[0])
 
     def test_fillets_of_circular_arcs_are_asked(self):
         self.assertEqual([w["gear"] for w in self.ok("contact", self.spec(ARCS, "[errors]\ncenter_distance_mm = -1.5"))["warnings"]

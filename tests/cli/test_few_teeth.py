@@ -115,7 +115,7 @@ class Fillets(Asked):
     def test_clearance_to_a_gear_that_this_tip_cuts(self):
         for line in ("clearance_mm = 0.4", ""):
             spec = PINION.replace("radius_mm = 0.332", line) + CUT
-            self.refused(spec, "gear1.tip_fillet.clearance_mm", "this tip cuts gear 2")
+            self.refused(spec, "gear1.tip_fillet.clearance_mm", "the tip of this gear cuts gear 2")
 
     def test_rings_have_what_their_cutter_leaves(self):
         for table in ("root_fillet]\noffset_mm = 0.1", "tip_fillet]\nradius_mm = 0.3"):

@@ -40,7 +40,7 @@ class Stopping(unittest.TestCase):
         self.first_word(MANY, "candidates per second")
 
     def test_questions(self):
-        self.first_word(ASKED, "trials are done to find the smallest change", "candidates per second")
+        self.first_word(ASKED, "the search for the smallest change that helps", "candidates per second")
 
     def test_what_seemed_to_hang(self):
         began = time.monotonic()

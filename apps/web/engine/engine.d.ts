@@ -258,7 +258,8 @@ export interface Row {
   unit: string;
   meaning: string;
   texts: string[]; // one for each gear, or one for both
-  /** For each text, the values at both ends of the tolerances. Empty texts, or no texts, if there are none. */
+  /** For each text, the values at both ends of the tolerances. A text is empty if its value has no tolerance. The
+   *  list is empty if no value has a tolerance. */
   ends: string[];
   note: string; // for a factor of a rating, its clause of the standard and the branch of the formula
 }
@@ -311,7 +312,7 @@ export interface ShiftView {
   window: [number, number, number, number] | null;
 }
 
-/** A quantity of designs. `better` gives the better values of an objective; "" for other quantities. */
+/** A quantity of designs. For an objective, `better` states which values are better. For other quantities, it is "". */
 export interface DesignAxis {
   words: string;
   unit: string;

@@ -71,7 +71,7 @@ describe("figures", () => {
       before,
     );
     assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
-    // This error changes no number of the table. The table must show the next change nevertheless.
+    // This error changes no number in the table. Even so, the table must show the next change.
     const width = '.numbers [data-quantity="gears.face_width_mm"][data-column="0"]';
     for (const value of ["41", "40"]) {
       await page.fill('[data-key="gear1.face_width_mm"]', value);

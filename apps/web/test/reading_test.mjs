@@ -61,8 +61,8 @@ describe("pictures", () => {
   it("circles of the mesh have symbols", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
-    // A symbol ends in a space of zero width. A name for which there is no free position is omitted, here
-    // d_w1.
+    // A symbol ends in a space of zero width. If there is no free position for a name, the name is
+    // omitted. Here, d_w1 is omitted.
     const names = async () =>
       (await page.locator("#room-mesh .circle-name").filter({ visible: true }).allTextContents()).map((name) => name.replaceAll("\u200b", ""));
     await page.click('[data-choice="whole"]');

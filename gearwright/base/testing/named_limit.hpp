@@ -19,9 +19,9 @@ inline double number_after(const std::string& text, const std::string& words) {
 
 /// Tests that an error message names the right limit, and returns the limit within 1e-12 relative.
 ///
-/// `refusal(x)` returns the message that rejects x, or an empty text if x is allowed. The limit
-/// that it names for x = `beyond` is correct to six digits. If x is only 1e-9 beyond the limit, the
-/// message must contain more digits.
+/// `refusal(x)` returns the message that rejects x, or an empty text if x is allowed. For x =
+/// `beyond`, the limit in the message is correct to six digits. If x is only 1e-9 beyond the limit,
+/// the message must contain more digits.
 inline double named_limit(const std::function<std::string(double)>& refusal, double beyond,
                           const std::string& words) {
   const double limit = number_after(refusal(beyond), words);

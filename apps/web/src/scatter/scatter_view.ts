@@ -58,7 +58,7 @@ export class ScatterView implements Tab {
       this.full = "";
       const sketch = await this.request("scatterSketch", text);
       if (!sketch) return;
-      this.draw(sketch, text, `Estimate to first order, ${sketch.milliseconds.toFixed(0)} ms.`);
+      this.draw(sketch, text, `First-order estimate, ${sketch.milliseconds.toFixed(0)} ms.`);
     }
     if (!this.moving) this.later();
   }
