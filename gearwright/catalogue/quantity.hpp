@@ -1,4 +1,4 @@
-// The catalogue of results. It contains the only description of each quantity, with its getter.
+// The catalogue of results. Each quantity and its getter are described only here.
 //
 //   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
 //   Quantity        a quantity with its getter for a subject: a gear, a pair, a contact
@@ -32,13 +32,14 @@ namespace gearwright {
 struct Quantity {
   QuantityInfo info;
   std::function<Value(const void*)> get{};
-  std::function<bool(const void*)> exists{};  ///< if false, the key is absent; by default always
-                                              ///< present
-  std::function<bool(const void*)> worth{};  ///< if false, users see no row; by default they see it
-  std::function<bool(const void*)> asked{};  ///< if true, users see a dash instead of a missing
-                                             ///< value
+  std::function<bool(const void*)> exists{};  ///< if it returns false, the key is absent; the
+                                              ///< default is true
+  std::function<bool(const void*)> worth{};  ///< if it returns false, users see no row; the default
+                                             ///< is true
+  std::function<bool(const void*)> asked{};  ///< if it returns true, a dash shows users that a
+                                             ///< value is missing
   std::function<bool(const void*)> there{};  ///< for an entry of a part: true if the subject has
-                                             ///< that part
+                                             ///< this part
 };
 
 /// The function `f` of an S as a function of the address of an S.

@@ -37,17 +37,16 @@ struct QuantityInfo {
   std::string symbol;  ///< "d_a", with indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence without full stop, with the condition under which the
-                          ///< value exists
+  std::string meaning{};  ///< one sentence without full stop; it also states when the value exists
   Type type = Type::number;
-  std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty for one
-                            ///< value
+  std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty if the value is
+                            ///< not a list
   Two two = Two::values;
-  bool always = false;                ///< true if the value is never null; by default this follows
-                                      ///< from the type of the getter (Shape)
+  bool always = false;                ///< true if the value is never null; by default, the type of
+                                      ///< the getter determines this (Shape)
   std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for users; by default the decimals of the
+  std::optional<int> digits{};             ///< decimals for users; by default, the decimals of the
                                            ///< unit
   std::string nothing{};                   ///< text for users if there is no value
   const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
@@ -55,7 +54,7 @@ struct QuantityInfo {
   bool greater_first = false;              ///< true if greater values are better
   bool only_inch = false;                  ///< true if only results in inch show it
   bool optional_key = false;               ///< true if the key is absent when the quantity does not
-                                           ///< exist; if false, the key then has the value null
+                                           ///< exist; if false, the value is then null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -67,21 +66,21 @@ struct QuantityTable {
   const QuantityInfo* find(std::string_view key) const;
 };
 
-/// The number of decimals for users. By default, it is the number of the unit (unit_digits).
+/// Returns the number of decimals for users. The default is the number of the unit (unit_digits).
 int digits_of(const QuantityInfo& info);
 
-/// The unit system in which an answer in `units` shows the values of this quantity. Modules are in
-/// mm in both systems.
+/// Returns the unit system in which an answer in `units` shows the values of this quantity. Modules
+/// are in mm in both systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
-/// A value as text for users, without its unit. If there is no value, the text is `none`. A list is
-/// written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as "a x, b
-/// y".
+/// Returns a value as text for users, without its unit. If there is no value, the text is `none`. A
+/// list is written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as
+/// "a x, b y".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 
-/// A row for users: a quantity with one text per column, or with a single text if both gears
-/// share the value.
+/// A row for users. It shows a quantity with one text per column, or with a single text if both
+/// gears share the value.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -93,14 +92,14 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// The table for users. It shows either several records side by side (two gears) or one record
-/// with values for each gear (a pair). It contains the quantities of the interface `door` that
-/// at least one record shows. The quantities of inner records are also rows.
+/// Returns the table for users. The table shows several records side by side (two gears), or one
+/// record with values for each gear (a pair). It contains a quantity if the interface `door` has it
+/// and at least one record shows it. The quantities of inner records are also rows.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none = "–");
 
-/// The text with a capital first letter: "Tip diameter" for "tip diameter".
+/// Returns the text with a capital first letter, for example "Tip diameter" for "tip diameter".
 std::string capitalised(std::string words);
 
 }  // namespace gearwright
