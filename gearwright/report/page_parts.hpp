@@ -64,8 +64,8 @@ struct ReportPage {
   std::string head{};         ///< after the verdict
   std::string definitions{};  ///< of shapes
   std::string sections;
-  std::string spec;                  ///< the footer after the version, without the final </p>
-  std::string foot;                  ///< the footer after the version, without the final </p>
+  std::string spec;                  ///< the spec as given, plain text; omitted if empty
+  std::string foot;                  ///< text of the footer after the version
   std::string_view style{}, script;  ///< in addition to the style and the script of all pages
 };
 std::string page_html(const ReportPage& page);
