@@ -74,7 +74,7 @@ Key face_width() {
   k.meaning =
       "face width; within a band, each mesh of a rated design has the least width with the "
       "required "
-      "safeties, in steps of 1 mm, or of 0.05 in if the spec is in inch";
+      "safeties, in steps of 1 mm or, in a spec in inch, of 0.05 inch";
   return k;
 }
 

@@ -17,8 +17,8 @@ struct Row {
 };
 
 constexpr std::string_view kRackMate =
-    "is not a table; describe a rack as a mating part by [gear2] with form = \"rack\", and the "
-    "rack that cuts a gear by [gear1.rack]";
+    "is not a table. A rack that meshes with gear 1 is described by [gear2] with form = \"rack\". "
+    "A rack that cuts gear 1 is described by [gear1.rack]";
 constexpr std::string_view kTwoHalves =
     "is not allowed; describe a double-helical gear by the table [gear1.double_helical], for "
     "example with gap_mm = 0. In this case helix_angle_deg is the angle of the half at z > 0";

@@ -89,13 +89,13 @@ const Quantities<CrossedPlaces>& places_quantities() {
            [](const P& p) {
              return std::array{p.lo.center_distance, p.hi.center_distance};
            })
-        .words("centre distance at these two angles")
+        .words("centre distances at both ends of the range of α_wn")
         .ends();
     q.term("shaft_angle_deg", ends,
            [](const P& p) {
              return std::array{p.lo.shaft_angle, p.hi.shaft_angle};
            })
-        .words("shaft angle at these two angles")
+        .words("shaft angles at both ends of the range of α_wn")
         .ends();
     q.flag("ends_at_90_deg_helix", "limited by a helix angle of 90°",
            "true if the interval ends because a helix angle reaches 90°", &P::limit)

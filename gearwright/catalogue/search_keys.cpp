@@ -355,7 +355,7 @@ std::vector<Key> design_keys() {
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &SearchProblem::face_step, "1",
                     "step of the face width; face widths within a band are multiples of this step. "
-                    "The default is 0.05 in if the spec is in inch")
+                    "In a spec in inch, the default is 0.05 inch")
           .with_fields({"face_step"}),
       Key::text("thickness_series", KeyPlace::by<SearchProblem, std::string>(set_series),
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",
@@ -397,7 +397,8 @@ std::vector<Key> design_keys() {
       Key::number("target_ratio", "", {}, &SearchProblem::target_ratio,
                   "the middle of the band `ratio`", "target of the objective `ratio`"),
       Key::number("friction_coefficient", "μ", friction_range(), &SearchProblem::friction,
-                  "0.05 for the objective `efficiency`, otherwise no efficiency",
+                  "0.05 for the objective `efficiency`; for other objectives, the efficiency is "
+                  "computed only if the key is given",
                   "coefficient of friction of the flanks, for the efficiency")
           .with_also({"friction"}),
       Key::number(

@@ -298,8 +298,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::held_at_half_the_root, "held_at_half_the_root", kNote,
      "a gear has no bore, so the verb `load` holds its body at half the root diameter"},
     {C::held_at_rim_as_drawn, "held_at_rim_as_drawn", kNote,
-     "an internal gear has no rim diameter, so the verb `load` holds it at the rim diameter of its "
-     "CAD files"},
+     "the outside diameter of the rim of an internal gear is not given, so the verb `load` holds "
+     "the gear at the default diameter, which its CAD files also have"},
     {C::no_load, "no_load", kNote,
      "an analysis under load cannot be computed for these gears (verb `run`); the message gives "
      "the reason"},

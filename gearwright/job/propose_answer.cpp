@@ -168,8 +168,8 @@ std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best)
   if (!free || list[*free].worst.max_pressure <= best.worst.max_pressure) return "";
   const double pressure = list[*free].worst.max_pressure;
   return fmt::format(
-      " Proposal {} has no loaded edge at these limits, but its pressure without deviations is "
-      "{:.0f} % greater than in this proposal ({} N/mm²).",
+      " Proposal {} has no loaded edge at the limits of the helix slopes, but its pressure without "
+      "deviations is {:.0f} % greater than the pressure of this proposal ({} N/mm²).",
       *free + 1, 100 * (pressure / best.worst.max_pressure - 1),
       arrow(best.worst.max_pressure, pressure, 0));
 }
