@@ -54,8 +54,8 @@ std::optional<Error> not_made_for(const Arranged& arranged) {
   if (arranged.pair->mounted().crossed_inside()) {
     Error error = refused("pair.shaft_angle", arranged.pair->shaft_angle().deg(),
                           "crosses the axes of an internal pair; teeth under load are computed for "
-                          "internal pairs on parallel axes only. The verb `contact` computes where "
-                          "these teeth touch if there is no load");
+                          "internal pairs on parallel axes only. The command `gearwright contact` "
+                          "computes where these teeth touch if there is no load");
     error.kind = FailureKind::not_under_load;
     return error;
   }

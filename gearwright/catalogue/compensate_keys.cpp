@@ -58,7 +58,7 @@ std::vector<std::string_view> correction_words() {
 const KeyTable& compensate_keys() {
   static const KeyTable table{
       "compensate",
-      "Corrections that the verb compensate can make, and the errors that they must compensate",
+      "Corrections that the verb `compensate` can make, and the errors that they must compensate",
       {Key::word(
            "corrections", correction_words(), &CompensateInput::corrections,
            "`tool_setting_mm` and `cutter_lead1_deg` for circular-arc pairs, otherwise "

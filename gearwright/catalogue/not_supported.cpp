@@ -42,9 +42,8 @@ constexpr std::string_view kRoundBore =
     "keyway_depth_mm";
 constexpr std::string_view kOutputTorque =
     "is not a key; give the torque on the input by torque_Nm, which is the torque on the output "
-    "divided by ratio and efficiency, T_in = T_out/(i η). The verb drive computes i and η without "
-    "a "
-    "torque";
+    "divided by ratio and efficiency, T_in = T_out/(i η). The command `gearwright drive` computes "
+    "i and η without a torque";
 
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",

@@ -131,7 +131,7 @@ Key of_few_teeth(std::string_view key, std::string_view symbol,
 const KeyTable& fit_keys() {
   static const KeyTable table{
       "fit",
-      "Settings of the verb fit; no other verb reads them",
+      "Settings of the verb `fit`; no other verb reads them",
       {Key::number("working_normal_pressure_angle_deg", "α_wn",
                    KeyRange::between(1, 80, ", usually 14.5 to 30"),
                    &FitInput::working_normal_pressure_angle, "",

@@ -38,8 +38,8 @@ struct ContactScene {
   /// Peak-to-peak values of the continuous TE of the working flanks and of the non-working flanks.
   /// A value is missing if contact is lost or if the value was not computed.
   std::array<std::optional<Angle>, 2> span{};
-  /// Suffix of the ids of figures. It is "-2" for the second half of a double-helical pair, otherwise
-  /// empty.
+  /// Suffix of the ids of figures. It is "-2" for the second half of a double-helical pair,
+  /// otherwise empty.
   std::string part{};
 };
 

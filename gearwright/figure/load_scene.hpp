@@ -22,8 +22,8 @@ struct LoadScene {
   LoadedContact contact;               ///< positions evenly spaced over one pitch, from −½ pitch
   std::vector<LoadStandard> standard;  ///< results of the standard at each torque; may be empty
   std::optional<std::size_t> chosen = {};  ///< index of the shown torque; by default the greatest
-  /// Suffix of the ids of figures. It is "-2" for the second half of a double-helical pair, otherwise
-  /// empty.
+  /// Suffix of the ids of figures. It is "-2" for the second half of a double-helical pair,
+  /// otherwise empty.
   std::string part{};
   /// The halves of a double-helical pair at z > 0 and at z < 0, or only one half if they are
   /// mirror images. For such a pair, the other members describe the whole gears.

@@ -111,7 +111,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "lower bound, and the root stress depends on the number of slices",
      "an edge carries load",
      "Give more tip relief and lead crowning; for spur and single-helical gears on parallel axes, "
-     "the verb propose computes them and shows their effect."},
+     "the command `gearwright propose` computes these modifications and shows their effect."},
     {C::edge_contact, "edge_contact", kCaution,
      "an edge is in contact; the message gives the share of the rotation with edge contact",
      "an edge touches"},
@@ -205,7 +205,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "Leave out the pressure angle, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
      "the leads of circular-arc gears do not match, so their contacts are not computed",
-     "unequal leads", "The verb contact computes where the teeth touch."},
+     "unequal leads", "The command `gearwright contact` computes where the teeth touch."},
     {C::rating_contact_ratio, "rating_contact_ratio", kCaution,
      "the transverse contact ratio is outside 1 to 2.5, the range of ISO 6336",
      "a contact ratio that the standard does not cover"},

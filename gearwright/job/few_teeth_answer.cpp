@@ -149,7 +149,8 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
     auto error = body_error(gear, bore);
     if (!error) continue;
     error->rule +=
-        " of the design for this spec; if the bore is left out, gearwright fit prints the design";
+        " of the design for this spec; without this bore, the command `gearwright fit` prints the "
+        "design";
     return of_gear(which, *error);
   }
   return std::nullopt;

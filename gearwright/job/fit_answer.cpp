@@ -158,7 +158,7 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units) {
     names.push_back(fmt::format("branch {}", names.size() + 1));
     records.push_back(branch_quantities().of(b));
     if (b.refused)
-      rejected += fmt::format("  {} is rejected by the verb pair: {}\n", names.back(),
+      rejected += fmt::format("  {} is rejected by `gearwright pair`: {}\n", names.back(),
                               sentence_in(units, *b.refused));
   }
   return "\n" +

@@ -225,7 +225,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
 
 std::string origin(const ProposeAnswer& a, std::size_t i) {
   if (i == 0) return "This is the spec as given.";
-  return fmt::format("Proposal {} of gearwright propose: {}.", i + 1, words_of(a.proposals[i]));
+  return fmt::format("Proposal {} of `gearwright propose`: {}.", i + 1, words_of(a.proposals[i]));
 }
 
 }  // namespace
@@ -351,7 +351,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     for (const std::string& remark : remarks) a.reason += " " + remark;
   if (job.spec.errors.any())
     a.reason +=
-        " No proposal corrects [errors] by a helix slope. The command gearwright compensate "
+        " No proposal corrects [errors] by a helix slope. The command `gearwright compensate` "
         "computes corrections of these errors.";
   for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
   job.warnings = jobs[a.recommended].warnings;

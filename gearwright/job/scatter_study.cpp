@@ -220,8 +220,9 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options) {
       list.push_back({static_cast<std::int64_t>(list.size()) + 1, row.trial.index});
   }
   if (list.empty())
-    return Error{"search", "",
-                 "no design is feasible; gearwright search names a change that would help"};
+    return Error{
+        "search", "",
+        "no design is feasible; the command `gearwright search` names a change that would help"};
   if (options.top && list.size() > *options.top) list.resize(*options.top);
   if (auto error = refused_study(spec, search, list, options)) return *error;
   StudyRun run;

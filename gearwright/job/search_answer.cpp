@@ -259,7 +259,7 @@ std::string drawing_line(const SearchProblem& problem) {
   if (!problem.draw) return {};
   const SearchAllowances& a = problem.allowances;
   std::string text = fmt::format(
-      "drawn and checked as by the verb run: mounting {}, {}",
+      "drawn and checked as by `gearwright run`: mounting {}, {}",
       problem.mounting == Mounting::tight ? "tight" : "extended",
       a.backlash ? fmt::format("backlash {:g} mm … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
       : a.series.empty() ? std::string("nominal teeth")

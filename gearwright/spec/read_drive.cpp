@@ -34,8 +34,8 @@ bool gives_band(const Json& node) {
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
   refuse_halves(node, path,
-                "is a key of a gear; gearwright drive SPEC --expand prints the set as [drive], in "
-                "which each gear can have this key");
+                "is a key of a gear; the command `gearwright drive SPEC --expand` prints the set "
+                "as [drive], in which each gear can have this key");
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
