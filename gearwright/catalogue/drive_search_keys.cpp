@@ -96,7 +96,7 @@ const KeyTable& drive_search_keys() {
        Key::number("target_ratio", "", {}, &Problem::target_ratio, "the middle of the band `ratio`",
                    "target of the objective `ratio`"),
        band("planets", "N", KeyRange::between(1, 100), &Problem::planets, "3", "number of planets"),
-       teeth("sun_teeth", SetMember::sun, "12 to 60; no sun for a Wolfrom set",
+       teeth("sun_teeth", SetMember::sun, "12 to 60; a Wolfrom set has no sun by default",
              "number of teeth of the sun"),
        teeth("sun2_teeth", SetMember::sun2, "12 to 60", "number of teeth of the second sun"),
        teeth("planet_teeth", SetMember::planet, "12 to 60", "number of teeth of the planet"),
@@ -127,7 +127,7 @@ const KeyTable& drive_search_keys() {
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
        Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding,
-                   "3 for a rated train without profile_shift, otherwise no limit",
+                   "3 for a rated train without profile_shift; other drives have no limit",
                    "greatest permitted specific sliding at both ends of the path of contact of "
                    "every mesh; a small set without undercut has about 3 to 5"),
        Key::not_negative("overlap_ratio_min", "ε_β", &Problem::overlap, "no limit",
@@ -157,7 +157,8 @@ const KeyTable& drive_search_keys() {
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest permitted diameter of a set, measured over the planets and over the "
                      "root circles of the rings, without the rims; for a train, greatest permitted "
-                     "sum of the centre distances. Both are computed without profile shifts"),
+                     "sum of the centre distances. The diameter and the sum are computed without "
+                     "profile shifts"),
        Key::positive(
            "center_distance_mm", "a", &Problem::center_distance, "no limit",
            "centre distance of every stage of a train, as mounted; a single number is the "

@@ -108,7 +108,7 @@ void add_found(Quantities<F>& q) {
          [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
   q.term("equal", "true if the planets are at equal pitch",
          [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
-  q.term("neighbour_clearance_mm", "least distance of their tip circles",
+  q.term("neighbour_clearance_mm", "least distance of the tip circles of neighbouring planets",
          [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
   q.word("phasing", "class of phasing", "for the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");

@@ -74,7 +74,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
        "without `bearing_span_mm`",
        &T::axis_deviation);
     um("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-       "null if the crossing of the axes is null", &T::axis_inclination);
+       "null if f_Σβ is null", &T::axis_inclination);
   });
 }
 const Quantities<EvaluationRanges>& range_quantities() {

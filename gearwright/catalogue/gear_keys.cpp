@@ -213,8 +213,8 @@ const KeyTable& cutter_keys() {
                                       "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; a module or an angle that it omits is taken from the gear or, if the "
-        "gear does not give it, from the mating gear";
+        "A pinion cutter. If its table has no module or no angle, the cutter has the value of the "
+        "gear that it cuts or, if this gear has no value, the value of the mating gear";
     return t;
   }();
   return table;
@@ -310,7 +310,8 @@ const KeyTable& bore_keys() {
                           "determines both keyway_width_mm and keyway_depth_mm; leave out these "
                           "keys, or leave out keyway"),
        Key::positive(
-           "keyway_width_mm", "", &Bore::keyway_width, "no keyway, or the width by `keyway`",
+           "keyway_width_mm", "", &Bore::keyway_width,
+           "the width by `keyway`; without `keyway`, the bore has no keyway",
            "width of a keyway at +y of the gear frame; less than the diameter of the bore")
            .with_needs({"keyway_depth_mm"})
            .with_also({"key_width"}),

@@ -129,7 +129,8 @@ const Quantities<Contradiction>& contradiction_quantities() {
            "for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "value as read", "", "in `unit`", &C::value);
-    q.number("expected", "value predicted by the other readings", "", "in `unit`", &C::expected);
+    q.number("expected", "value of this reading that the other readings predict", "", "in `unit`",
+             &C::expected);
     add_units(q);
   });
 }
@@ -144,8 +145,8 @@ const Quantities<NextMeasurement>& next_quantities() {
            "for a span, the number of teeth between the anvils; for balls, their diameter; null "
            "for other measurements",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
-    q.number("expect", "value expected for the first and for the other candidate", "", "in `unit`",
-             &N::expect)
+    q.number("expect", "values of this measurement that the first and the other candidate predict",
+             "", "in `unit`", &N::expect)
         .list({2});
     add_units(q);
     q.whole("rival", "the other candidate", "",

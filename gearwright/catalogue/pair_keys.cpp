@@ -143,8 +143,9 @@ const KeyTable& fit_keys() {
                     "least normal tooth thickness at both tips"),
        of_few_teeth("least_gap_mm", "", &FitInput::min_gap, "0",
                     "least chord of the tooth space at the start of the flanks, for both gears"),
-       of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
-                    "tip clearance of both gears without backlash; a backlash makes it greater"),
+       of_few_teeth(
+           "clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
+           "tip clearance of both gears without backlash; a backlash increases the tip clearance"),
        of_few_teeth(
            "backlash_mm", "", &FitInput::backlash, "0",
            "circumferential backlash, which determines the centre distance to first "

@@ -236,10 +236,10 @@ const Quantities<ParallelPair>& needed_face_quantities() {
           .shown(worth);
     };
     add("total_1", "whole_total_1", "face width for a total contact ratio of 1",
-        "null for a spur pair whose transverse contact ratio is below this value",
+        "null for a spur pair whose transverse contact ratio is below 1",
         [](const P& p) { return face_width_for_total(p, 1.0); });
     add("total_1_2", "whole_total_1_2", "face width for a total contact ratio of 1.2",
-        "null for a spur pair whose transverse contact ratio is below this value",
+        "null for a spur pair whose transverse contact ratio is below 1.2",
         [](const P& p) { return face_width_for_total(p, 1.2); });
     add("overlap_1", "whole_overlap_1", "face width for an overlap ratio of 1",
         "null for spur pairs", face_width_for_overlap);

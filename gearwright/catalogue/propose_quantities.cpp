@@ -78,7 +78,8 @@ const Quantities<Proposal>& proposal_quantities() {
         "worst values over 16 positions, all torques and both signs of `helix_deviation_um`; this "
         "deviation is added to the deflection slope; null without tolerances",
         &P::at_limits);
-    q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
+    q.add(Type::map, "spec", "spec", "", "the whole spec with the modifications of the proposal",
+          &P::spec)
         .always();
   });
 }

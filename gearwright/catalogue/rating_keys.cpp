@@ -242,11 +242,11 @@ const KeyTable& rating_keys() {
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
-                     "none; results that depend on this safety use 1",
+                     "none; the value 1 is used for results that need a required safety",
                      "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
-                     "none; results that depend on this safety use 1",
+                     "none; the value 1 is used for results that need a required safety",
                      "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",

@@ -52,7 +52,7 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("total_error", "standard error of the total index", "", true, true);
     q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
              "share of the variance that is explained by the derivatives at the nominal values "
-             "[T14.28]; null if the quantity has no derivative at these values",
+             "[T14.28]; null if the quantity has no derivative at the nominal values",
              &I::linear_share);
   });
 }
