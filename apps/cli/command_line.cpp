@@ -284,9 +284,9 @@ int CommandLine::unknown_verb(const std::string& word) const {
     least = off;
     best = name;
   }
-  return usage(fmt::format("there is no verb {}; {} (gearwright --help describes each verb)",
-                           printable(word, 60),
-                           best.empty() ? "verbs: " + all : "did you mean " + best + "?"));
+  return usage(fmt::format(
+      "there is no verb {}; {} (the command `gearwright --help` describes each verb)",
+      printable(word, 60), best.empty() ? "verbs: " + all : "did you mean " + best + "?"));
 }
 
 int CommandLine::unknown_option(const std::string& word) const {
@@ -295,8 +295,9 @@ int CommandLine::unknown_option(const std::string& word) const {
   for (const CLI::Option* option : sub->get_options())
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   const std::string given = word.substr(0, word.find('='));
-  return usage(fmt::format("{0} has no option {1}{2} (gearwright {0} --help lists the options)",
-                           sub->get_name(), printable(given, 60), did_you_mean(given, known)));
+  return usage(fmt::format(
+      "{0} has no option {1}{2} (the command `gearwright {0} --help` lists the options)",
+      sub->get_name(), printable(given, 60), did_you_mean(given, known)));
 }
 
 std::optional<int> CommandLine::answer_at_once(const std::vector<std::string>& words) const {
@@ -333,7 +334,9 @@ int CommandLine::scatter(const Verb& row) const {
   const bool designs = spec && spec->search && !spec->gears[0];
   if (!study.given() && !designs) return answering_verb(row, options_, &*text);
   if (options_.take)
-    return usage("--take is only for one pair; search --take N prints the spec of a design");
+    return usage(
+        "--take is only for one pair; the command `gearwright search SPEC --take N` prints the "
+        "spec of a design");
   return run_study_verb(study, *text);
 }
 

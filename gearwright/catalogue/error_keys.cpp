@@ -87,12 +87,12 @@ const KeyTable& error_keys() {
       KeyRange range;
       if (e.of_cutter()) {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees, because it is an error of the lead angle; the helix "
-                                  "angle itself is helix_angle_deg of the gear");
+                                  " degrees, because the value is an error of the lead angle; the "
+                                  "helix angle itself is helix_angle_deg of the gear");
       } else if (e.unit() == "deg") {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees, because it is an error of the shaft angle; the shaft "
-                                  "angle itself is pair.shaft_angle_deg");
+                                  " degrees, because the value is an error of the shaft angle; the "
+                                  "shaft angle itself is pair.shaft_angle_deg");
       } else if (e.unit() == "um") {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
                                   " µm; the helix angle itself is a key of the gear");

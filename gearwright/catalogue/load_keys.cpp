@@ -54,7 +54,7 @@ const KeyTable& load_keys() {
        Key::number("deflection_bow_um", "", KeyRange::between(-1e5, 1e5),
                    &LoadInput::deflection_bow, "0",
                    "additional approach of the flanks that is parabolic along the face; the key "
-                   "gives its value in the middle of the face"),
+                   "gives the approach in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies stay centred",
                  "body of a drive that is free to move radially (the sun, the ring or the carrier "
                  "of a planetary set)"),

@@ -244,8 +244,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::tip_bulge, "tip_bulge", kNote,
      "the tip projects beyond the involute, because the flank of the cutter was too short; "
      "mating gears other than the cutter can collide with the projection; the message gives the "
-     "tip diameter that removes "
-     "it"},
+     "tip diameter that removes the projection"},
     {C::fillets_not_asked, "fillets_not_asked", kNote,
      "if the lead of the cutter is changed, contact of tips with circular root fillets, or with "
      "roots cut by a pinion cutter, is not checked (verb `contact`)"},

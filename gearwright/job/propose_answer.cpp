@@ -189,12 +189,12 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
       std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
       best == 0 ? std::string(
-                      "The spec as given is the best proposal. It is compared only with proposals "
-                      "that do not increase the transmission error.")
+                      "The spec as given is the best proposal. Only proposals that do not increase "
+                      "the transmission error are compared with the spec as given.")
       : !scored
           ? fmt::format(
-                "The spec as given has no result under this load. {}Among the proposals, this one "
-                "has the least sum of transmission error and pressure.",
+                "The spec as given has no result under this load. {}Of all proposals, this "
+                "proposal has the least sum of transmission error and pressure.",
                 edges)
           : fmt::format(
                 "{}This proposal has the least sum of transmission error ({}″) and pressure ({} "

@@ -102,14 +102,15 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
     return refused_list(
         given, "the folder has no search.json; name the --out folder of a finished search");
   if (path.extension() == ".parquet" || path.extension() == ".csv")
-    return refused_list(given,
-                        "name the folder of the search or its search.json instead; both list the "
-                        "designs in the order of `search --take`");
+    return refused_list(
+        given,
+        "name the folder of the search or its search.json instead, which list the designs in the "
+        "order of the ranks for the command `gearwright search SPEC --take N`");
   const std::string text = text_of_file(path);
   const auto other = [&] {
     return refused_list(given,
-                        "is not the result of a search; name the folder of `search --out` or "
-                        "a file with the output of `search --json`");
+                        "is not the result of a search; name the folder of `gearwright search SPEC "
+                        "--out DIR` or a file with the output of `gearwright search SPEC --json`");
   };
   constexpr int kDeepest = 32;
   if (json_depth(text) > kDeepest) return other();

@@ -183,8 +183,9 @@ std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t 
     text += fmt::format("  {}: {}\n", design_words(run.refused[i]),
                         run.refused[i]["reason"].get<std::string>());
   if (!run.designs.empty())
-    text += fmt::format("\nsearch with --take {} prints the spec of the best design.\n",
-                        run.designs[0]["design"].get<std::int64_t>());
+    text += fmt::format(
+        "\nThe command `gearwright search SPEC --take {}` prints the spec of the best design.\n",
+        run.designs[0]["design"].get<std::int64_t>());
   return text;
 }
 

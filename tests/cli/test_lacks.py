@@ -214,7 +214,7 @@ class ByName(Asked):
                 (gear + "cone_angle_deg = 45\n", "gear1.cone_angle_deg", "bevel gears"),
                 (gear + "[worm]\nstarts = 1\n", "worm", "worm gears are outside"),
                 (gear + "[gear1.bore]\nshape = \"D\"\n", "gear1.bore.shape", "a bore is round"),
-                (two + "[rack]\nteeth = 20\n", "rack", "a rack as a mating part by [gear2]", "[gear1.rack]"),
+                (two + "[rack]\nteeth = 20\n", "rack", "A rack that meshes with gear 1 is described by [gear2]", "[gear1.rack]"),
                 (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "form = \"rack\"", "teeth = -61"),
                 (gear + "form = \"rack\"\n", "gear1.form", "must not be a rack"),
                 (two + "[pair]\nherringbone = true\n", "pair.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
