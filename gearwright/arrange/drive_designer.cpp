@@ -145,9 +145,9 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
   return least;
 }
 
-// The profile shifts to be tried. If the search gives shifts, only they are tried. The list is
-// empty if the teeth of the candidate are impossible. The shifts do not depend on the face
-// width.
+// The profile shifts to be tried. If the search gives shifts, only these shifts are tried.
+// The list is empty if the teeth of the candidate are impossible. The shifts do not depend on the
+// face width.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};

@@ -298,7 +298,7 @@ export interface MeshView {
   frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, or the path of contact
   width: number; // px, width of the figure
   height: number;
-  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null: as for `frame`
+  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null for the window that belongs to `frame`
   bodies: boolean; // true to draw only the bodies of the gears
   name: string; // name of the picture and its shapes, unique in the page
 }
