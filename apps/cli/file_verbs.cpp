@@ -112,7 +112,8 @@ int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())
     return usage(
-        "--drawing is not available for a drive; it writes the drawing of a gear or a pair");
+        "--drawing is not available for a drive; this option writes the drawing of a gear or a "
+        "pair");
   if (!o.part.empty() && !o.rexs.empty())
     return usage("--rexs writes the whole drive; leave out --gear");
   const auto job = solve_drive(spec);

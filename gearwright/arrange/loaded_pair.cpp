@@ -82,13 +82,13 @@ std::optional<Error> not_for_points(const LoadInput& input) {
 
 // The deflection of a shaft is computed only for a single face with line contact.
 Error not_for_shaft(int which, bool of_half) {
-  return {
-      gear_field(which, "shaft"), "",
-      of_half
-          ? "cannot be used for a double-helical gear under load; leave it out, and give the slope "
-            "and the bow of the deflection in `load`"
-          : "applies under load only to teeth with line contact, but these teeth have point "
-            "contact; leave it out, and give the displacement of the gears in `errors` instead"};
+  return {gear_field(which, "shaft"), "",
+          of_half
+              ? "cannot be used for a double-helical gear under load; leave out the shaft, and "
+                "give the slope and the bow of the deflection in `load`"
+              : "applies under load only to teeth with line contact, but these teeth have point "
+                "contact; leave out the shaft, and give the displacement of the gears in `errors` "
+                "instead"};
 }
 
 // Lists the rotations of gear 1 at which `is` returns true. At most kMostNamed of them are
@@ -197,12 +197,12 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   return refused(
       "load.slices", request.slices[g],
       fair_is_enough
-          ? fmt::format(
-                "are too many for these teeth, because each slice is only {} mm wide; {}", width,
-                fair[0] == fair[1] ? fmt::format("{} slices are sufficient", fair[0])
-                                   : fmt::format("leave it out, because {} slices of gear 1 and {} "
-                                                 "of gear 2 are sufficient",
-                                                 fair[0], fair[1]))
+          ? fmt::format("are too many for these teeth, because each slice is only {} mm wide; {}",
+                        width,
+                        fair[0] == fair[1] ? fmt::format("{} slices are sufficient", fair[0])
+                                           : fmt::format("leave out this key, because {} slices of "
+                                                         "gear 1 and {} of gear 2 are sufficient",
+                                                         fair[0], fair[1]))
           : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
                         "width of the contact; reduce the torque{}{}",
                         width,

@@ -292,8 +292,8 @@ void add_contact_results(Quantities<ContactView>& q) {
       .when(of_rack)
       .doors(kJson);
   q.term("continuous_peak_to_peak_arcsec",
-         "difference between the extremes of the curve [T14.11]; it does not depend on the "
-         "computed positions; null if contact is lost at some rotation",
+         "difference between the extremes of the curve [T14.11]; the difference does not depend on "
+         "the computed positions; null if contact is lost at some rotation",
          &ContactView::continuous_span)
       .otherwise("contact is lost")
       .when(of_gear);
@@ -355,8 +355,8 @@ void add_contact_results(Quantities<ContactView>& q) {
       .when([](const ContactView& v) { return v.halves.empty(); })
       .doors(kJson);
   q.number("axial_float_um", "axial movement of the floating gear", "Δz",
-           "axial movement of gear 1 relative to gear 2 at each position; it makes both halves of "
-           "a double-helical pair share the load; null without contact [T8.27]",
+           "axial movement of gear 1 relative to gear 2 at each position; this movement makes both "
+           "halves of a double-helical pair share the load; null without contact [T8.27]",
            [](const ContactView& v) {
              ValueList list;
              for (const double mm : v.float_axial)
@@ -378,10 +378,9 @@ void add_contact_results(Quantities<ContactView>& q) {
       .list({2})
       .when([](const ContactView& v) { return !v.halves.empty(); })
       .doors(kJson);
-  q.record<pattern_quantities>(
-       "pattern",
-       "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
-       "`halves`")
+  q.record<pattern_quantities>("pattern",
+                               "pattern of both flanks; only with `pattern = true`; the pattern of "
+                               "a double-helical pair is in `halves`")
       .when([](const ContactView& v) { return v.pattern.has_value(); })
       .doors(kJson);
   q.record<map_quantities>("map",

@@ -162,7 +162,7 @@ const KeyTable& drive_search_keys() {
        Key::positive(
            "center_distance_mm", "a", &Problem::center_distance, "no limit",
            "centre distance of every stage of a train, as mounted; a single number is the "
-           "exact centre distance. The profile shifts follow from it")
+           "exact centre distance. The profile shifts follow from the centre distance")
            .with_list(kBand)
            .with_form("a distance in mm, or a band [least, greatest]")
            .with_excludes({"profile_shift"},

@@ -81,7 +81,7 @@ ContactErrors ErrorsInput::of(const std::array<const Gear*, 2>& gears) const {
 const KeyTable& error_keys() {
   static const KeyTable table = [] {
     KeyTable t{
-        "errors", "Errors of mounting and of the teeth; all of them act at the same time", {}};
+        "errors", "Errors of mounting and of the teeth; all errors act at the same time", {}};
     for (std::size_t i = 0; i < kErrorCount; ++i) {
       const ErrorEntry& e = error_entries()[i];
       KeyRange range;

@@ -105,7 +105,7 @@ const KeyTable& gear_keys() {
        Key::number("normal_pressure_angle_deg", "α_n",
                    KeyRange::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"),
                    KeyPlace::by<GearInput, Angle>(set_pressure_angle), "20",
-                   "normal pressure angle; `transverse_pressure_angle_deg` can replace it")
+                   "normal pressure angle; `transverse_pressure_angle_deg` can replace this key")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
                    KeyRange::inside(0, 90, ", usually 14.5 to 30"), {}, "",
@@ -116,7 +116,7 @@ const KeyTable& gear_keys() {
            KeyRange::between(-kMaxHelix, kMaxHelix, ", > 0 for right hand and < 0 for left hand"),
            {}, "0",
            "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; "
-           "`lead_angle_deg` with `hand` can replace it")
+           "`lead_angle_deg` with `hand` can replace this key")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", KeyRange::above(0, 90, " (spur)"), {}, "",
                    "lead angle, given together with `hand`")

@@ -84,10 +84,11 @@ void add_candidate(Quantities<G>& q) {
            "profile shift of the actual teeth, including the thickness allowance",
            &G::generating_shift);
   q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift).doors(kJson);
-  q.term("tip_diameter_mm",
-         "the nominal tip of `drawing` if the tip was not measured, or if it is shorter by at most "
-         "0.1 m_n in radius, which is attributed to wear; otherwise the measured value",
-         &G::tip_diameter);
+  q.term(
+      "tip_diameter_mm",
+      "the nominal tip of `drawing` if the tip was not measured, or if the measured tip is shorter "
+      "by at most 0.1 m_n in radius, which is attributed to wear; otherwise the measured value",
+      &G::tip_diameter);
   q.number("profile_shift_of_tip", "profile shift by the tip", "x",
            "profile shift computed from the measured tip and the rack of `drawing`; too low if the "
            "tip is worn; null if the tip was not measured",
@@ -184,7 +185,7 @@ const Quantities<Identification>& identify_quantities() {
     q.under("Contradiction");
     q.record<contradiction_quantities>("contradiction",
                                        "reading that contradicts the others; the candidates are "
-                                       "computed without it; null if the readings agree",
+                                       "computed without this reading; null if the readings agree",
                                        &I::contradiction);
     q.under("Next measurement");
     q.record<next_quantities>("next_measurement",
@@ -196,7 +197,7 @@ const Quantities<Identification>& identify_quantities() {
         "alternative",
         "a gear that agrees with all readings if one input is corrected; null if the readings "
         "agree "
-        "with a standard gear, or if no single correction makes them agree",
+        "with a standard gear, or if no single correction makes the readings agree",
         &I::alternative);
     q.text("reason",
            "reason why no candidate fits the readings; null if at least one candidate fits",

@@ -200,8 +200,8 @@ const Quantities<PairBacklash>& backlash_quantities() {
         .per_gear();
     q.number("free_rotation_deg", "free play with the mating gear fixed", "",
              "per gear, rotation without any contact; less than the backlash if other parts of the "
-             "teeth touch before the flanks. It is null if it is not computed (as on crossed axes "
-             "with an internal gear), or if a tip lies inside a root",
+             "teeth touch before the flanks. The rotation is null if a tip lies inside a root, or "
+             "if the rotation is not computed, for example on crossed axes with an internal gear",
              [](const B& b) {
                if (!b.free) return Value();
                return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});

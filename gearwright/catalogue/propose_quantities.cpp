@@ -62,12 +62,12 @@ const Quantities<Proposal>& proposal_quantities() {
         .one_of(profile_words());
     q.text("words", "modifications in words", words_of);
     q.flag("pitch_deviations", "reliefs with pitch deviations",
-           "true if the reliefs allow for load and pitch deviations, false if they allow for the "
-           "load alone",
+           "true if the reliefs allow for load and pitch deviations, false if the reliefs allow "
+           "for the load alone",
            &P::pitch);
     q.flag("lead", "helix modifications",
-           "true if the proposal has a helix crowning and slope of gear 1, false if it keeps the "
-           "helix modifications of the spec",
+           "true if the proposal has a helix crowning and slope of gear 1, false if the proposal "
+           "keeps the helix modifications of the spec",
            &P::lead);
     q.record<gear_of_proposal_quantities>("gears", "amounts, per gear", &P::gears).list({2});
     q.record<load_of_proposal_quantities>("under_load", "one entry for each torque", &P::loads);

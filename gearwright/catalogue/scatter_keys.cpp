@@ -64,11 +64,9 @@ std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
                     "points would fill the ranges unevenly"};
   const long long all = static_cast<long long>(s.samples) * s.replicates;
   if (all <= kMaxScatterSamples) return std::nullopt;
-  return KeyFault{
-      "samples",
-      fmt::format(
-          "must be smaller; the product of samples and replicates must be at most {}, but it is {}",
-          kMaxScatterSamples, all)};
+  return KeyFault{"samples", fmt::format("must be smaller; the product of samples and replicates "
+                                         "must be at most {}, but this product is {}",
+                                         kMaxScatterSamples, all)};
 }
 
 KeyPlace gear(std::size_t i) {
@@ -115,14 +113,14 @@ const KeyTable& scatter_keys() {
                  "least play within all ranges [T14.15]"),
        Key::flag("loosening", &ScatterInput::loosening, "false",
                  "if true, the result contains the tolerance that should be tightened first. For "
-                 "each tolerance, it also contains a factor; if the tolerance grows by this "
-                 "factor, the greatest of `percentiles` of the peak-to-peak transmission error "
-                 "grows by 5 % [T14.19]"),
+                 "each tolerance, the result also contains a factor; if the tolerance grows by "
+                 "this factor, the greatest of `percentiles` of the peak-to-peak transmission "
+                 "error grows by 5 % [T14.19]"),
        Key::flag("pattern", &ScatterInput::pattern, "false",
                  "if true, the result contains the density of the contact pattern on both flanks. "
                  "At each point of a flank, the density is the share of samples in which the "
-                 "marking compound of [contact] shows contact. It is computed from the first 256 / "
-                 "`replicates` samples of each replicate [T14.27]"),
+                 "marking compound of [contact] shows contact. The density is computed from the "
+                 "first 256 / `replicates` samples of each replicate [T14.27]"),
        Key::flag(
            "loaded", &ScatterInput::loaded, "false",
            "if true, loaded transmission error, pressure and face load factor are computed for the "
@@ -132,7 +130,7 @@ const KeyTable& scatter_keys() {
                    &ScatterInput::loaded_samples, "256",
                    "greatest number of samples under load, for all replicates together. The number "
                    "of samples of each replicate is the greatest power of two that exceeds neither "
-                   "this limit divided by `replicates` nor `samples`; it is at least 1"),
+                   "this limit divided by `replicates` nor `samples`; the number is at least 1"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &ScatterInput::quality,
            "`[gearN.tolerance] quality`",

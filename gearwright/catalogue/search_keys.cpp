@@ -227,11 +227,11 @@ std::vector<Key> trial_keys() {
           .with_excludes({"helix_angle_deg"})
           .with_fields({"helix"}),
       Key::number("overlap_ratio", "ε_β", KeyRange::between(1, 20), {}, "",
-                  "whole overlap ratio, or a list of them. Each face width gets the helix angle "
-                  "with this overlap ratio, rounded up to 0.01°, so that the overlap ratio is at "
-                  "least the whole number and, from 5° on, exceeds it by at most 0.2 %. Angles "
-                  "outside of `helix_angle_deg` and angles below 1° are not tried. All widths of a "
-                  "band of face widths are tried")
+                  "whole overlap ratio, or a list of whole overlap ratios. Each face width gets "
+                  "the helix angle with this overlap ratio, rounded up to 0.01°, so that the "
+                  "overlap ratio is at least the whole number and, from 5° on, exceeds it by at "
+                  "most 0.2 %. Angles outside of `helix_angle_deg` and angles below 1° are not "
+                  "tried. All widths of a band of face widths are tried")
           .with_list({.most = kMostOverlaps, .single = true})
           .with_form("a whole number, or a list of whole numbers")
           .with_needs({"helix_angle_deg"})

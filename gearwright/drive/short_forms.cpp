@@ -423,7 +423,7 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
       return Error{speed ? "drive.speed" : "drive.torque",
                    format_number(speed ? own.speeds_rpm.front() : *own.torque_Nm),
                    fmt::format("must not be given for stage {}, because the first stage determines "
-                               "it; give it in the first stage",
+                               "this value; give the value in the first stage",
                                k + 1)};
     }
     append(made.graph, own, fmt::format("s{}_", k + 1), joined);

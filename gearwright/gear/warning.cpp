@@ -175,8 +175,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "corrections cannot be computed for this spec (verb `run`); the message gives the reason",
      "no corrections"},
     {C::no_strength, "no_strength", kCaution,
-     "the strength cannot be computed, because it needs the load along the teeth (verb `run`); the "
-     "message gives the reason",
+     "the strength cannot be computed, because the rating needs the load along the teeth (verb "
+     "`run`); the message gives the reason",
      "no strength"},
     {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
      "the contact ellipse extends beyond an end of the flank, and the pressure there is a lower "
@@ -271,7 +271,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::inherited, "inherited", kNote,
      "gear 2 has no material or quality in the spec, so the value of gear 1 is used"},
     {C::profile_shifts_chosen, "profile_shifts_chosen", kNote,
-     "absent profile shifts are computed from the centre distance; the message gives them"},
+     "absent profile shifts are computed from the centre distance; the message gives these shifts"},
     {C::tip_fillet_cut_off, "tip_fillet_cut_off", kNote,
      "the blank ends the tooth before its circular tip fillet begins"},
     {C::no_chord, "no_chord", kNote,

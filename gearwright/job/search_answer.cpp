@@ -198,8 +198,9 @@ std::vector<Warning> search_warnings(const SearchRun& run) {
   }
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
-         "The table [rating] has no effect on this search. It is used only with safety_flank_min, "
-         "safety_root_min or one of the objectives safety, balance and noise in [search].");
+         "The table [rating] has no effect on this search. This table is used only with "
+         "safety_flank_min, safety_root_min or one of the objectives safety, balance and noise in "
+         "[search].");
   }
   if (!has_boundaries(run)) {
     warn(WarningCode::edges_left_out,
