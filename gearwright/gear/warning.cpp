@@ -95,7 +95,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
     {C::saddle_gap, "saddle_gap", kCaution,
      "with an internal gear on crossed axes, the flanks overlap beside the line of action, so that "
-     "edges touch; the message gives the lead crowning that prevents this [T4.36]",
+     "edges touch; the message gives the lead crowning that prevents the overlap [T4.36]",
      "the flanks overlap beside the line of action"},
     {C::contact_below_form, "contact_below_form", kCaution,
      "on a gear without undercut, the mating gear's tip passes the end of the usable flank and "

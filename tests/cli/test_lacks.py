@@ -212,7 +212,7 @@ class ByName(Asked):
                 (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears", "[[stage]]"),
                 (gear + "form = \"bevel\"\n", "gear1.form", "cylindrical gears and racks only"),
                 (gear + "cone_angle_deg = 45\n", "gear1.cone_angle_deg", "bevel gears"),
-                (gear + "[worm]\nstarts = 1\n", "worm", "worm gears are outside"),
+                (gear + "[worm]\nstarts = 1\n", "worm", "not bevel gears or worm gears"),
                 (gear + "[gear1.bore]\nshape = \"D\"\n", "gear1.bore.shape", "a bore is round"),
                 (two + "[rack]\nteeth = 20\n", "rack", "A rack that meshes with gear 1 is described by [gear2]", "[gear1.rack]"),
                 (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "form = \"rack\"", "teeth = -61"),
