@@ -229,10 +229,11 @@ void CommandLine::add_others() {
            "on all cores",
            "gearwright batch pair specs.jsonl > answers.jsonl", [&o] { return batch_verb(o); });
   batch
-      ->add_option("VERB", o.words,
-                   fmt::format("One of the verbs {} (default: pair, or gear for a single gear), "
-                               "then a file (default: -, standard input)",
-                               verb_names()))
+      ->add_option(
+          "VERB", o.words,
+          fmt::format("One of the verbs {} (default: the verb pair for two gears, the verb gear "
+                      "for a single gear), then a file (default: -, standard input)",
+                      verb_names()))
       ->expected(0, 2);
   batch
       ->add_option("--threads", o.threads,

@@ -183,8 +183,8 @@ int export_verb(const Options& o) {
   for (const auto& [kind, path] : wanted) any = any || !path->empty();
   if (!any)
     return usage(
-        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing, --rexs "
-        "with a file name");
+        "the command `gearwright export` needs at least one of the options --step, --stl, --glb, "
+        "--3mf, --dxf, --svg, --drawing and --rexs, with a file name");
   std::optional<int> gear;
   if (o.part == "1" || o.part == "2") gear = o.part == "1" ? 1 : 2;
   if (gear && !o.rexs.empty()) return usage("--rexs writes both gears of a pair; leave out --gear");

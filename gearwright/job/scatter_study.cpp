@@ -104,8 +104,8 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   if (path.extension() == ".parquet" || path.extension() == ".csv")
     return refused_list(
         given,
-        "name the folder of the search or its search.json instead, which list the designs in the "
-        "order of the ranks for the command `gearwright search SPEC --take N`");
+        "name the folder of the search or its search.json instead, because the designs are then "
+        "numbered as for the command `gearwright search SPEC --take N`");
   const std::string text = text_of_file(path);
   const auto other = [&] {
     return refused_list(given,

@@ -50,7 +50,7 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
       if (!tree[gear].contains(other)) continue;
       if (other == std::string("tolerance") && !says_thickness(tree[gear][other])) continue;
       t.fail(key, fmt::format("cannot be combined with {}.{}, because both determine the tooth "
-                              "thickness; leave one of them out",
+                              "thickness; leave out one of the two",
                               gear, other));
     }
   }

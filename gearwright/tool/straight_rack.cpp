@@ -62,7 +62,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
     if (rack.tip_fillet_radius > 0.0) {
       return refused("rack.semi_topping_angle", a,
                      "cannot be combined with `tip_fillet_radius`, because the bottom of the "
-                     "cutter has either a ramp or a rounding; leave one of them out");
+                     "cutter has either a ramp or a rounding; leave out one of the two");
     }
     if (!rack.tool_addendum) {
       return refused(
