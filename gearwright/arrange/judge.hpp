@@ -41,7 +41,7 @@ struct JudgedState {
 };
 
 /// All findings for the nominal values, and all findings that are worse at a combination of the
-/// ends of the tolerances. None of them has a remedy.
+/// ends of the tolerances. These findings contain no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
