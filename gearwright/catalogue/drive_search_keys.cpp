@@ -114,8 +114,8 @@ const KeyTable& drive_search_keys() {
        band("wheel_teeth", "z", KeyRange::between(1, kMostDriveTeeth), &Problem::wheel, "17 to 150",
             "numbers of teeth of the wheels of a train"),
        Key::number("coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
-                   "1 for a set, but the number of planets if two rings mesh with one planet gear; "
-                   "no limit for a train",
+                   "no limit for a train; for a set, the number of planets if two rings mesh with "
+                   "one planet gear, otherwise 1",
                    "greatest difference between the sums of teeth of meshes with a common centre "
                    "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
                    "for this difference"),

@@ -200,10 +200,10 @@ const KeyTable& rating_keys() {
                {&RatingTable::input, &RatingInput::root_roughness}, "Y_RrelT = 1",
                "Rz of the root fillets")
            .with_also({"root_rz"}),
-       Key::not_negative(
-           "tip_relief_um", "C_a", {&RatingTable::input, &RatingInput::tip_relief},
-           "the tip relief that running-in produces; no relief for grade 6 and coarser grades",
-           "tip relief, for the dynamic factor of grades 0 to 5"),
+       Key::not_negative("tip_relief_um", "C_a", {&RatingTable::input, &RatingInput::tip_relief},
+                         "the tip relief that running-in produces; for grade 6 and coarser grades, "
+                         "the tip relief has no effect",
+                         "tip relief, for the dynamic factor of grades 0 to 5"),
        of_both("rim_thickness_mm", "s_R", KeyRange::positive(),
                KeyPlace::by<RatingTable, std::array<double, 2>>(set_rims), "the rim is thick",
                "thickness of the rim under the teeth, for Y_B and, together with the web, for c'")

@@ -126,11 +126,12 @@ const KeyTable& scatter_keys() {
            "if true, loaded transmission error, pressure and face load factor are computed for the "
            "first samples of each replicate. The torques and positions are those of [load] (by "
            "default 16 positions). Pitch deviations have no effect on these quantities [T14.24]"),
-       Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
-                   &ScatterInput::loaded_samples, "256",
-                   "greatest number of samples under load, for all replicates together. The number "
-                   "of samples of each replicate is the greatest power of two that exceeds neither "
-                   "this limit divided by `replicates` nor `samples`; the number is at least 1"),
+       Key::number(
+           "loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
+           &ScatterInput::loaded_samples, "256",
+           "greatest number of samples under load, for all replicates together. Each replicate has "
+           "at least 1 sample. The number of samples of each replicate is the greatest power of "
+           "two that is at most `samples` and at most this limit divided by `replicates`"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &ScatterInput::quality,
            "`[gearN.tolerance] quality`",

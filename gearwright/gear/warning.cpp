@@ -140,9 +140,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "d_a of an internal gear is less than d_b, so the involute does not reach the tip",
      "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
-     "the pinion of an internal pair can be mounted only axially [T2.28], but the mounted gears do "
-     "not collide; or a cutter, `cut_by`, removes the tips of an internal gear in radial infeed "
-     "[T6.18]",
+     "the pinion of an internal pair can be mounted only axially [T2.28], although the mounted "
+     "gears do not collide; or, in radial infeed, the cutter of an internal gear (`cut_by`) "
+     "removes the tips [T6.18]",
      "trimming interference in radial assembly or infeed", "", kGearUnnamed},
     {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
      "a small tip clearance"},
