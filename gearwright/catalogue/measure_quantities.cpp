@@ -133,8 +133,8 @@ const Quantities<BallSizes>& size_quantities() {
     q.number("metric_mm", "nearest metric size", "", "size of measuring pins by DIN 3977",
              &S::metric);
     q.word("inch", "nearest inch size",
-           "size of balls; the steps are 1/64 in for sizes up to 1/2 in, 1/32 in for sizes up to "
-           "1 in, and 1/16 in for greater sizes",
+           "size of balls; the steps are 1/64 inch for sizes up to 1/2 inch, 1/32 inch for sizes "
+           "up to 1 inch, and 1/16 inch for greater sizes",
            [](const S& s) { return inch_text(s.inch); });
     q.number("inch_mm", "diameter of the nearest inch size", "", "",
              [](const S& s) { return s.inch * kMmPerInch; });
