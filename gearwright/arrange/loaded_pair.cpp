@@ -411,8 +411,9 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
 Warning held_without_bore(const std::string& gear, WarningCode code, double diameter) {
   const char* const message =
       code == WarningCode::held_at_rim_as_drawn
-          ? "The internal gear {} has no `bore`, which is the key for the outside diameter of its "
-            "rim. The gear is held at the rim diameter of its CAD files, {} mm."
+          ? "The internal gear {} has no `bore`, so the outside diameter of its rim has the "
+            "default value. The gear is held at this diameter, {} mm, which its CAD files also "
+            "have."
           : "Gear {} has no bore, so its body is held at half the root diameter, {} mm.";
   return {code, fmt::format(fmt::runtime(message), gear, format_number(diameter))};
 }

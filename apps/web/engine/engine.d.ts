@@ -367,8 +367,7 @@ export interface Session {
   contactCurve(positions: number): ContactCurve | Failed;
   /** Figures of the transmission error, of its spectrum and of both flanks. A figure without data is omitted. */
   contactFigures(view: ContactView): Figure[] | Failed;
-  /** The contact at one position, as an object with the keys of contact.positions. If no teeth touch,
-   *  `kind` is "none". */
+  /** The contact at one position, with the keys of contact.positions. If no teeth touch, `kind` is "none". */
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
   /** The gap on the flank of gear 1 at one position, for tooth pair k (`tooth` of a position). */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
