@@ -327,9 +327,10 @@ void add_contact_results(Quantities<ContactView>& q) {
       .doors(kJson);
   q.term("contact_lost", "true if there is a position at which no tooth pair touches",
          [](const ContactView& v) { return v.driving.contact_lost; });
-  q.record<non_working_quantities>(
-       "non_working_flank", "transmission error of the non-working flanks, at the same positions",
-       &ContactView::other)
+  q.record<non_working_quantities>("non_working_flank",
+                                   "transmission error of the non-working flanks, at the same "
+                                   "positions as for the working flanks",
+                                   &ContactView::other)
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
            "least play over all positions, measured from contact of the working flanks to contact "

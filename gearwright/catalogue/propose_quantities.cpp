@@ -37,7 +37,8 @@ const Quantities<ProposedGear>& gear_of_proposal_quantities() {
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
              "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
-    q.text("amounts", "amounts in words; empty if they are the same as in the spec", amounts_of);
+    q.text("amounts", "amounts in words; empty if the amounts are the same as in the spec",
+           amounts_of);
   });
 }
 

@@ -252,7 +252,7 @@ const KeyTable& scatter_modification_keys() {
 const KeyTable& scatter_correlation_keys() {
   static const KeyTable table{
       "scatter_correlations",
-      "The correlation of two inputs; the range and the distribution of each input stay the same",
+      "The correlation of two inputs; the range and the distribution of each input do not change",
       {{.key = "between",
         .kind = KeyKind::text,
         .list = KeyList{.least = 2, .most = 2},

@@ -140,7 +140,7 @@ const Quantities<RobustView>& robust_quantities() {
     q.record<judged_quantities>(
         "before", "result without corrections, computed with samples of the next seed", &R::before);
     q.record<judged_quantities>(
-        "after", "result with the corrections, computed with the same samples", &R::after);
+        "after", "result with the corrections, computed with samples of the next seed", &R::after);
   });
 }
 
@@ -171,7 +171,8 @@ const Quantities<ScatterView>& loosening_quantities() {
     q.number("percentile", "percentile", "", "the greatest of `percentiles`",
              [](const ScatterView& v) { return v.scatter->loosening->percent; });
     q.number("percentile_arcsec", "present percentile", "",
-             "percentile of the first replicate, whose samples are used for all rows",
+             "percentile for the samples of the first replicate; the effect of each tolerance is "
+             "computed with these samples",
              [](const ScatterView& v) {
                return Angle::radians(v.scatter->loosening->percentile).arcsec();
              });
