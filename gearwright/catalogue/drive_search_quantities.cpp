@@ -213,9 +213,9 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "drives with a green verdict, at most as many as `--top` gives. They are in groups of 100, "
-       "and each group begins with its best drive. If there are several objectives, drives of the "
-       "Pareto front follow. The numbers of a drive equal the results of the verb `drive`",
+       "drives with a green verdict, at most as many as `--top` gives. The drives are in groups of "
+       "100, and each group begins with its best drive. If there are several objectives, drives of "
+       "the Pareto front follow. The numbers of a drive equal the results of the verb `drive`",
        [](const S& s) -> const auto& { return s.designs->list; })
       .doors(kJson);
 }
