@@ -39,9 +39,10 @@ constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters
 
 // The version. For a lean build (cmake/gw_lean.cmake), also the functions that this build lacks.
 std::string version_text() {
-  return fmt::format(
-      "gearwright {}{}", kVersion,
-      can_minimise() ? "" : ", without compensate, [scatter.robust] and search --out");
+  return fmt::format("gearwright {}{}", kVersion,
+                     can_minimise() ? ""
+                                    : ", without the verb compensate, [scatter.robust] and the "
+                                      "option --out of the verb search");
 }
 
 // Checks a tolerance. The range check of CLI11 is not used, because it accepts NaN.

@@ -48,8 +48,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
     if (a.double_helical || b.double_helical)
       return not_loaded(
           "does not apply to drives with double-helical gears; write the mesh as a pair with the "
-          "command `gearwright drive SPEC --take N`, and use the command `gearwright load` with "
-          "this pair, which computes both halves",
+          "command `gearwright drive SPEC --take N`; the command `gearwright load` computes both "
+          "halves of this pair",
           mesh.name);
     if (!drive.geometry.involutes(m))
       return not_loaded(
