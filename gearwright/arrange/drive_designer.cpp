@@ -251,8 +251,8 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
     for (std::size_t m = 0; m < meshes; ++m)
       if (least[m] - low[m] > 1.0) (held[m] ? least[m] : low[m]) = middle[m];
   }
-  // A tooth that is wider than its mate has a greater root safety, so the widths of the meshes of a
-  // planet depend slightly on each other.
+  // A tooth that is wider than the mating tooth has a greater root safety, so the widths of the
+  // meshes of a planet depend slightly on each other.
   for (bool grows = true; grows;) {
     grows = false;
     const auto held = are_held(least);
