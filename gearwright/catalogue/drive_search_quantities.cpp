@@ -194,8 +194,9 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
         "trains of the same module shows that these trains cannot have the required safeties",
         [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
-        "number of other feasible sets that were not computed, because at most 20 000 sets of each "
-        "module are computed; 0 if `designs` has at least as many drives as `--top` gives",
+        "number of feasible sets that were not computed, because at most 20 000 sets of each "
+        "module are computed; trains in `hopeless` are not counted; 0 if `designs` has at least as "
+        "many drives as `--top` gives",
         [](const S& s) { return s.designs->beyond_limit; });
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "

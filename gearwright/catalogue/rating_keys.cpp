@@ -171,7 +171,7 @@ const KeyTable& rating_keys() {
            "application factor K_A for additional loads from the driving and the driven machine"),
        mesh_load_factor(),
        Key::positive("life_h", "L_h", {&RatingTable::input, &RatingInput::life_h},
-                     "life factors are 1", "required life in hours at this load")
+                     "life factors are 1", "required life in hours at the given load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
        Key::flag(

@@ -84,9 +84,9 @@ const Quantities<WorstView>& worst_quantities() {
            [](const W& w) { return w.worst->corner; });
     q.number("bound", "bound", "",
              "lower bound of the values of all pairs within the ranges, in the unit of its key "
-             "[T14.29]; null for the peak-to-peak value, which is not convex. The other bounds are "
-             "given only for external involute pairs on parallel axes without reliefs, "
-             "topographies and waves",
+             "[T14.29]; null for the peak-to-peak value, which is not convex. The bounds of other "
+             "quantities are given only for external involute pairs on parallel axes without "
+             "reliefs, topographies and waves",
              [](const W& w) { return shown(*w.entry, w.worst->bound); });
   });
 }
