@@ -39,9 +39,10 @@ constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters
 
 // The version. For a lean build (cmake/gw_lean.cmake), also the functions that this build lacks.
 std::string version_text() {
-  return fmt::format(
-      "gearwright {}{}", kVersion,
-      can_minimise() ? "" : ", without compensate, [scatter.robust] and search --out");
+  return fmt::format("gearwright {}{}", kVersion,
+                     can_minimise() ? ""
+                                    : ", without the verb compensate, [scatter.robust] and the "
+                                      "option --out of the verb search");
 }
 
 // Checks a tolerance. The range check of CLI11 is not used, because it accepts NaN.
@@ -229,10 +230,11 @@ void CommandLine::add_others() {
            "on all cores",
            "gearwright batch pair specs.jsonl > answers.jsonl", [&o] { return batch_verb(o); });
   batch
-      ->add_option("VERB", o.words,
-                   fmt::format("One of the verbs {} (default: pair, or gear for a single gear), "
-                               "then a file (default: -, standard input)",
-                               verb_names()))
+      ->add_option(
+          "VERB", o.words,
+          fmt::format("One of the verbs {} (default: the verb pair for two gears, the verb gear "
+                      "for a single gear), then a file (default: -, standard input)",
+                      verb_names()))
       ->expected(0, 2);
   batch
       ->add_option("--threads", o.threads,
@@ -284,9 +286,9 @@ int CommandLine::unknown_verb(const std::string& word) const {
     least = off;
     best = name;
   }
-  return usage(fmt::format("there is no verb {}; {} (gearwright --help describes each verb)",
-                           printable(word, 60),
-                           best.empty() ? "verbs: " + all : "did you mean " + best + "?"));
+  return usage(fmt::format(
+      "there is no verb {}; {} (the command `gearwright --help` describes each verb)",
+      printable(word, 60), best.empty() ? "verbs: " + all : "did you mean " + best + "?"));
 }
 
 int CommandLine::unknown_option(const std::string& word) const {
@@ -295,8 +297,9 @@ int CommandLine::unknown_option(const std::string& word) const {
   for (const CLI::Option* option : sub->get_options())
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   const std::string given = word.substr(0, word.find('='));
-  return usage(fmt::format("{0} has no option {1}{2} (gearwright {0} --help lists the options)",
-                           sub->get_name(), printable(given, 60), did_you_mean(given, known)));
+  return usage(fmt::format(
+      "{0} has no option {1}{2} (the command `gearwright {0} --help` lists the options)",
+      sub->get_name(), printable(given, 60), did_you_mean(given, known)));
 }
 
 std::optional<int> CommandLine::answer_at_once(const std::vector<std::string>& words) const {
@@ -333,7 +336,9 @@ int CommandLine::scatter(const Verb& row) const {
   const bool designs = spec && spec->search && !spec->gears[0];
   if (!study.given() && !designs) return answering_verb(row, options_, &*text);
   if (options_.take)
-    return usage("--take is only for one pair; search --take N prints the spec of a design");
+    return usage(
+        "--take is only for one pair; the command `gearwright search SPEC --take N` prints the "
+        "spec of a design");
   return run_study_verb(study, *text);
 }
 

@@ -112,7 +112,8 @@ int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())
     return usage(
-        "--drawing is not available for a drive; it writes the drawing of a gear or a pair");
+        "--drawing is not available for a drive; this option writes the drawing of a gear or a "
+        "pair");
   if (!o.part.empty() && !o.rexs.empty())
     return usage("--rexs writes the whole drive; leave out --gear");
   const auto job = solve_drive(spec);
@@ -182,8 +183,8 @@ int export_verb(const Options& o) {
   for (const auto& [kind, path] : wanted) any = any || !path->empty();
   if (!any)
     return usage(
-        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing, --rexs "
-        "with a file name");
+        "the command `gearwright export` needs at least one of the options --step, --stl, --glb, "
+        "--3mf, --dxf, --svg, --drawing and --rexs, with a file name");
   std::optional<int> gear;
   if (o.part == "1" || o.part == "2") gear = o.part == "1" ? 1 : 2;
   if (gear && !o.rexs.empty()) return usage("--rexs writes both gears of a pair; leave out --gear");

@@ -227,8 +227,9 @@ int batch_verb(const Options& o) {
   if (words.size() > 1 || (a_word && !std::filesystem::exists(path))) {
     std::vector<std::string> known;
     for (const Verb& each : verbs()) known.emplace_back(each.name);
-    return usage(fmt::format("batch accepts one of the verbs {}, but not {}{}", verb_names(),
-                             printable(path, 60), did_you_mean(path, known)));
+    return usage(
+        fmt::format("the command `gearwright batch` accepts one of the verbs {}, but not {}{}",
+                    verb_names(), printable(path, 60), did_you_mean(path, known)));
   }
   std::ifstream file;
   if (path != "-") {
@@ -266,7 +267,8 @@ int batch_verb(const Options& o) {
                  violations);
   if (lines == 0)
     std::fprintf(stderr,
-                 "gearwright: the input contains no spec; batch reads one JSON spec per line\n");
+                 "gearwright: the input contains no spec; the command `gearwright batch` reads one "
+                 "JSON spec per line\n");
   return violations > 0 ? kViolated : failed > 0 ? 1 : 0;
 }
 

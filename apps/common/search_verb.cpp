@@ -226,7 +226,7 @@ std::optional<std::string> fill_campaign(const CampaignCommand& c, const Togethe
     options.many = true;
   }
   if (together && !c.out)
-    return "a " + noun + " on several ranks needs --out DIR, the folder that they share";
+    return "a " + noun + " on several ranks needs --out DIR, the folder that the ranks share";
   if (together && c.spec == "-")
     return "under mpirun, only one rank receives the standard input; give the spec as a file";
   options.out = c.out.value_or("");

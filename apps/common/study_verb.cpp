@@ -81,7 +81,7 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
                    c.designs ? "is missing; --designs needs the spec of the search that found the "
                                "designs, with [scatter] added"
                              : "--out, --top, --shard and --resume are for the designs of a "
-                               "search; for one pair, gearwright run writes files"});
+                               "search; for one pair, the command `gearwright run` writes files"});
   if (const auto error = only_in_mm(*spec, "the study of the designs of a search"))
     return failed(*error);
   options.designs = c.designs;

@@ -327,7 +327,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         ("Returns the program's JSON answer as a dict. `spec` is a dict with the tables of a spec "
          "file, the path of such a file, a Pair or a Gear; `verb` is one of " +
          verb_names() +
-         "; the default is pair for two gears. Relative file names in a dict start at `folder`")
+         "; the default for two gears is the verb `pair`. Relative file names in a dict start at "
+         "`folder`")
             .c_str());
   m.def("_read", [](const py::object& path) {
     const auto [tree, folder] = read_tree(path);

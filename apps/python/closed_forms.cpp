@@ -178,7 +178,7 @@ py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha
 void bind_closed_forms(py::module_& m) {
   m.def("_real", [](const py::object& value) {
     auto numbers = real_numbers(value);
-    if (!numbers) throw py::type_error("must be a real number or an array of them");
+    if (!numbers) throw py::type_error("must be a real number or an array of real numbers");
     return *numbers;
   });
   m.def("_involute", &involutes);

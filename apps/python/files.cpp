@@ -140,11 +140,12 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
   FileOptions options;
   const bool drawn = kind == FileKind::dxf;
   if (tolerance && (kind == FileKind::step || kind == FileKind::svg))
-    raise(refused(
-        "tolerance", *tolerance,
-        "has no effect on STEP and SVG files; leave it out, or write STL, 3MF, GLB or DXF"));
+    raise(refused("tolerance", *tolerance,
+                  "has no effect on STEP and SVG files; leave out this argument, or write STL, "
+                  "3MF, GLB or DXF"));
   if (splines && !drawn)
-    raise({"splines", "True", "has an effect on DXF files only; leave it out, or write DXF"});
+    raise({"splines", "True",
+           "has an effect on DXF files only; leave out this argument, or write DXF"});
   if (tolerance)
     (drawn ? options.drawing_tolerance_mm : options.mesh_tolerance_mm) =
         tolerance_in_range(*tolerance, drawn ? kDrawingTolerances : kMeshTolerances);

@@ -70,8 +70,8 @@ PairValue mounted(const GearValue& gear_1, const GearValue& gear_2, const py::kw
 
 PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
   Json spec = pair.model->spec;
-  for (const char* gear : {"gear1", "gear2"})  // a Gear replaces the whole table, while a dict
-                                               // changes keys
+  // A Gear replaces the whole table of the gear. A dict changes only the keys that it contains.
+  for (const char* gear : {"gear1", "gear2"})
     if (kwargs.contains(gear) && py::isinstance<GearValue>(kwargs[gear])) spec.erase(gear);
   change(spec, pair_changes(kwargs));
   return pair_value(std::move(spec), pair.model->folder);

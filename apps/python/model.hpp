@@ -61,8 +61,8 @@ std::pair<Json, std::filesystem::path> read_tree(const py::object& given);
 /// The quantity with this key, or an empty value if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key);
 /// The member of the record that the attribute `name` shows, or null. Two keys of a table can have
-/// the same name, such as the transmission error of a gear as an angle and that of a rack as a
-/// length; a record contains only one of them.
+/// the same name, such as the transmission error of a gear, which is an angle, and the transmission
+/// error of a rack, which is a length. A record contains only one of the two keys.
 const Member* member_of(const ValueRecord& record, const std::string& name);
 
 /// Replaces members of `tree` by the members of `changes`, including the members of nested tables.
@@ -115,7 +115,8 @@ struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
 /// Returns a model of the pair with other errors and modifications, and with `keys` in the
-/// table `name` of its spec. If `errors` or `modifications` is None, those of the pair are used.
+/// table `name` of its spec. If `errors` or `modifications` is None, the errors or
+/// modifications of the pair are used.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);

@@ -17,7 +17,7 @@ py::object type_of(const char* module, const char* name) {
 }
 
 struct ToPython {
-  bool by_name;       // true for an attribute: mm and rad, tuples, Records
+  bool by_name;       // true for an attribute, which has numbers in mm and rad, tuples and Records
   double unit = 1.0;  // for an attribute, the size of the unit of the numbers in mm or rad
 
   py::object operator()(std::monostate) const { return py::none(); }

@@ -50,8 +50,8 @@ void collect_warnings(Arranged& arranged) {
         {WarningCode::default_shaft_angle,
          fmt::format(
              "`pair.shaft_angle` is not given, and these helix angles do not allow parallel axes. "
-             "The pair is mounted at {:.6g}°, the shaft angle at which it has its minimum centre "
-             "distance.",
+             "The pair is mounted at {:.6g}°, the shaft angle at which the pair has its minimum "
+             "centre distance.",
              arranged.pair->shaft_angle().deg()),
          0});
   }

@@ -26,8 +26,8 @@ inline double default_tip_clearance(double normal_module) { return 0.2 * normal_
 ///           make_pinion_cut_gear
 std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made);
 
-/// Computes the radius at which the tooth ends from the clearance of a tip fillet, at the given
-/// centre distance.
+/// Computes the radius at which each tooth with a tip fillet ends, if the clearance of the fillet
+/// to the root of the mating gear is given. The radius also depends on the centre distance.
 ///
 /// Errors    `gearN.tip_fillet.clearance` if there is no mating gear on a parallel axis
 std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,

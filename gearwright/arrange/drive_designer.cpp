@@ -145,9 +145,9 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
   return least;
 }
 
-// The profile shifts to be tried. If the search gives shifts, only they are tried. The list is
-// empty if the teeth of the candidate are impossible. The shifts do not depend on the face
-// width.
+// The profile shifts to be tried. If the search gives shifts, only these shifts are tried.
+// The list is empty if the teeth of the candidate are impossible. The shifts do not depend on the
+// face width.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};
@@ -251,8 +251,8 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
     for (std::size_t m = 0; m < meshes; ++m)
       if (least[m] - low[m] > 1.0) (held[m] ? least[m] : low[m]) = middle[m];
   }
-  // A tooth that is wider than its mate has a greater root safety, so the widths of the meshes of a
-  // planet depend slightly on each other.
+  // A tooth that is wider than the mating tooth has a greater root safety, so the widths of the
+  // meshes of a planet depend slightly on each other.
   for (bool grows = true; grows;) {
     grows = false;
     const auto held = are_held(least);

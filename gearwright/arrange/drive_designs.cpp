@@ -40,7 +40,8 @@ class Candidates {
   // are evenly distributed over the order of the candidates.
   std::size_t leave_out_hopeless() {
     if (problem_.kind != DriveKind::train || !task_.rate) return 0;
-    // An estimate is valid for usual profile shifts. A given centre distance may require others.
+    // An estimate is valid for usual profile shifts. A given centre distance may require other
+    // shifts.
     if (problem_.center_distance) return 0;
     // The mass of a train before it is computed follows from the estimate.
     if (problem_.module_per_stage && sorts_by_mass() && all_->size() > kRankedDrives)

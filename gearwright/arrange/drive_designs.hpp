@@ -59,8 +59,8 @@ struct DriveDesignTask {
 /// if the sliding of one stage exceeds the limit. If each stage may have its own module, the stage
 /// gets the least module with which it has the required safeties.
 ///
-/// Laws      (1) a search over a list of modules finds a drive if a search with one of these modules
-///           alone finds a drive
+/// Laws      (1) a search over a list of modules finds a drive if a search with one of these
+///           modules alone finds a drive
 ///           (2) the first `top` drives are the first drives of every longer list
 /// Errors    the errors of `rate`, if no drive can be rated
 Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,

@@ -45,7 +45,8 @@ class FaceLoads {
 
   LoadTask task_;
   bool default_slices_;  // true if the number of slices is not given
-  // the first is the finest; each other one has half the slices.
+  // The first resolution is the finest. Each further resolution has half as many slices as the
+  // previous one.
   std::vector<Resolution> resolutions_;
 };
 

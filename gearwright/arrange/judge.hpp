@@ -41,12 +41,12 @@ struct JudgedState {
 };
 
 /// All findings for the nominal values, and all findings that are worse at a combination of the
-/// ends of the tolerances. None of them has a remedy.
+/// ends of the tolerances. These findings contain no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
-/// Changes the input as a user would do who follows a proposal of the verdict. Returns false if the
-/// input gives the number in another form, or if another gear determines the number.
+/// Makes a change that the verdict proposes, in the same way as the user would make it. Returns
+/// false if the input gives the number in another form, or if another gear determines the number.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 /// The verdict on the gears. Messages name members of the input, such as `gear1.profile_shift`.

@@ -54,8 +54,8 @@ std::optional<Error> not_made_for(const Arranged& arranged) {
   if (arranged.pair->mounted().crossed_inside()) {
     Error error = refused("pair.shaft_angle", arranged.pair->shaft_angle().deg(),
                           "crosses the axes of an internal pair; teeth under load are computed for "
-                          "internal pairs on parallel axes only. The verb `contact` computes where "
-                          "these teeth touch if there is no load");
+                          "internal pairs on parallel axes only. The command `gearwright contact` "
+                          "computes where these teeth touch if there is no load");
     error.kind = FailureKind::not_under_load;
     return error;
   }
@@ -82,13 +82,13 @@ std::optional<Error> not_for_points(const LoadInput& input) {
 
 // The deflection of a shaft is computed only for a single face with line contact.
 Error not_for_shaft(int which, bool of_half) {
-  return {
-      gear_field(which, "shaft"), "",
-      of_half
-          ? "cannot be used for a double-helical gear under load; leave it out, and give the slope "
-            "and the bow of the deflection in `load`"
-          : "applies under load only to teeth with line contact, but these teeth have point "
-            "contact; leave it out, and give the displacement of the gears in `errors` instead"};
+  return {gear_field(which, "shaft"), "",
+          of_half
+              ? "cannot be used for a double-helical gear under load; leave out the shaft, and "
+                "give the slope and the bow of the deflection in `load`"
+              : "applies under load only to teeth with line contact, but these teeth have point "
+                "contact; leave out the shaft, and give the displacement of the gears in `errors` "
+                "instead"};
 }
 
 // Lists the rotations of gear 1 at which `is` returns true. At most kMostNamed of them are
@@ -197,12 +197,12 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   return refused(
       "load.slices", request.slices[g],
       fair_is_enough
-          ? fmt::format(
-                "are too many for these teeth, because each slice is only {} mm wide; {}", width,
-                fair[0] == fair[1] ? fmt::format("{} slices are sufficient", fair[0])
-                                   : fmt::format("leave it out, because {} slices of gear 1 and {} "
-                                                 "of gear 2 are sufficient",
-                                                 fair[0], fair[1]))
+          ? fmt::format("are too many for these teeth, because each slice is only {} mm wide; {}",
+                        width,
+                        fair[0] == fair[1] ? fmt::format("{} slices are sufficient", fair[0])
+                                           : fmt::format("leave out this key, because {} slices of "
+                                                         "gear 1 and {} of gear 2 are sufficient",
+                                                         fair[0], fair[1]))
           : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
                         "width of the contact; reduce the torque{}{}",
                         width,
@@ -411,8 +411,9 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
 Warning held_without_bore(const std::string& gear, WarningCode code, double diameter) {
   const char* const message =
       code == WarningCode::held_at_rim_as_drawn
-          ? "The internal gear {} has no `bore`, which is the key for the outside diameter of its "
-            "rim. The gear is held at the rim diameter of its CAD files, {} mm."
+          ? "The internal gear {} has no `bore`, so the outside diameter of its rim has the "
+            "default value. The gear is held at this diameter, {} mm, which its CAD files also "
+            "have."
           : "Gear {} has no bore, so its body is held at half the root diameter, {} mm.";
   return {code, fmt::format(fmt::runtime(message), gear, format_number(diameter))};
 }

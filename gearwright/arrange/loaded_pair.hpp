@@ -85,9 +85,9 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
                            const LoadInput& input, std::vector<Warning>& warnings,
                            const std::optional<HalfPlace>& half = {});
 
-/// Halves the default numbers of slices, down to kLeastSlices. The contact of soft or heavily
-/// loaded teeth is wider than fair_slices() assumes, so these numbers are halved until there is a
-/// solution. Returns false if neither number can be reduced.
+/// Halves both numbers of slices, but not below kLeastSlices. Returns false if neither number can
+/// be reduced. The contact of soft or heavily loaded teeth is wider than fair_slices() assumes, so
+/// the callers repeat the computation with fewer slices until there is a solution.
 bool halve_slices(std::array<int, 2>& slices);
 
 /// The contact of a task without root stress, with the helix slope deviations −`deviation` and

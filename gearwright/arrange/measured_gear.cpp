@@ -85,20 +85,23 @@ class Measuring {
       return std::nullopt;
     }
     const std::string instead =
-        usual ? fmt::format("; over {} teeth they lie on it", usual->teeth) : std::string();
+        usual ? fmt::format("; over {} teeth, the contacts lie on the usable flank", usual->teeth)
+              : std::string();
     if (asked->place != ContactPlace::usable) {
       warn(WarningCode::span_off_flank,
            fmt::format("In a span over {} teeth, the contacts lie on a diameter of {} mm, which is "
                        "not on the usable flank{}.",
                        asked->teeth, format_number(asked->contact_diameter), instead));
     } else {
-      warn(WarningCode::span_off_face,
-           fmt::format(
-               "In a span over {} teeth, the contacts lie {} mm apart along the axis, which is "
-               "more than the face width of {} mm{}.",
-               asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
-               format_number(gear_.spec.face_width),
-               usual ? fmt::format("; over {} teeth they lie within the face", usual->teeth) : ""));
+      warn(
+          WarningCode::span_off_face,
+          fmt::format(
+              "In a span over {} teeth, the contacts lie {} mm apart along the axis, which is "
+              "more than the face width of {} mm{}.",
+              asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
+              format_number(gear_.spec.face_width),
+              usual ? fmt::format("; over {} teeth, the contacts lie within the face", usual->teeth)
+                    : ""));
     }
     return std::nullopt;
   }

@@ -108,7 +108,7 @@ std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair) {
   return Warning{
       WarningCode::saddle_gap,
       fmt::format("The flanks are tangent on the line of action and overlap beside it, so edges "
-                  "touch and the ratio is not constant. Lead crowning prevents this: {}.",
+                  "touch and the ratio is not constant. Lead crowning prevents the overlap: {}.",
                   means),
       0};
 }

@@ -61,7 +61,7 @@ void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::stri
                  std::vector<Warning>& warnings);
 
 /// Warns of a jam, of lost contact, of contact below the usable flanks, and of searches that did
-/// not converge. `least_play` is none if the flanks of `driving` or those of `other` never touch.
+/// not converge. `least_play` is none if the flanks of `driving` or of `other` never touch.
 /// For a pinion and its rack, `gears` contains only the pinion.
 void warn_of_contact(const ContactResult& driving, const ContactResult& other,
                      std::optional<Angle> least_play, const std::vector<const Gear*>& gears,

@@ -131,8 +131,8 @@ bool lacks_relief_start(const GivenPair& given) {
 Error missing_relief_start(const GivenPair& given) {
   return *first_without_start(given, [](int, bool, const Relief&, const std::string& field) {
     return std::optional(absent_input(field,
-                                      "; give it, because its default depends on the contact ratio "
-                                      "with gear 2, and gear 2 is absent or a rack"));
+                                      "; give this value, because its default depends on the "
+                                      "contact ratio with gear 2, and gear 2 is absent or a rack"));
   });
 }
 
@@ -163,8 +163,8 @@ std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair) {
     const auto starts = involutes ? relief_starts(*involutes, which) : std::nullopt;
     if (!starts) {
       return absent_input(field,
-                          "; give it, because its default requires involute gears on parallel axes "
-                          "with a transverse contact ratio above 1");
+                          "; give this value, because its default requires involute gears on "
+                          "parallel axes with a transverse contact ratio above 1");
     }
     relief.reach = tip ? starts->tip : starts->root;
     return std::nullopt;

@@ -34,8 +34,8 @@ std::optional<Error> other_teeth(const Gear& gear, const char* field, double rea
   const double most = std::numbers::pi / 2 * gear.spec.normal_module;
   if (std::abs(allowance) <= most) return std::nullopt;
   return refused(field, read,
-                 fmt::format("does not match this gear; it would need a thickness allowance of "
-                             "{:.4f} mm, which is more than half a pitch ({:.4f} mm); ",
+                 fmt::format("does not match this gear, which would need a thickness allowance of "
+                             "{:.4f} mm, more than half a pitch ({:.4f} mm); ",
                              allowance, most) +
                      remedy);
 }
@@ -233,7 +233,7 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
       return Error{gear_field(which, thickness_member(tolerance)), "", why};
     };
     if (gear->cut_by && gear->cut_by->gear != 0)
-      return no("follows from the mating gear, which cuts this gear; leave it out");
+      return no("follows from the mating gear, which cuts this gear; leave out this key");
     if (gear->basic) return no("cannot be combined with `basic`, which gives the tooth thickness");
     if (!nominal) {
       auto solved = arrange_nominal(given, Scope::gears);

@@ -64,8 +64,8 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   const double beta = std::abs(half.spec.helix_angle.rad());
   if (beta == 0.0) {
     return refused("helix_angle", 0,
-                   "must not be 0; it is the helix angle of the half at z > 0, and the other half "
-                   "has the opposite hand");
+                   "must not be 0; this angle is the helix angle of the half at z > 0, and the "
+                   "other half has the opposite hand");
   }
   Halves made{};
   made.given = given;

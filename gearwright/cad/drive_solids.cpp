@@ -263,7 +263,7 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     area += size * size;
     widest = std::max(widest, size);
   }
-  // The length of a row. It is chosen so that the plate is nearly square.
+  // The length of a row of solids. It is chosen so that the occupied area is nearly square.
   const double row = std::max(widest, 1.1 * std::sqrt(area));
   double x = 0.0, y = 0.0, tall = 0.0;
   for (ToothedBody& body : bodies) {

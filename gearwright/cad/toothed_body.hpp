@@ -66,8 +66,10 @@ struct Band {
   double angle(double z) const { return twist * z + turn; }
 };
 
-struct SolidFrame {};     ///< the frame of a solid; for a gear, its own frame
-struct AssemblyFrame {};  ///< the frame of a file: the housing of a pair, or a plate
+struct SolidFrame {};  ///< the frame of a solid; for a gear, its own frame
+/// The frame of a file. For gears in place, it is the frame of the housing. For solids that
+/// laid_out() places side by side for printing, z = 0 is the plane on which they lie.
+struct AssemblyFrame {};
 using SolidPose = Pose<AssemblyFrame, SolidFrame>;
 
 /// Returns the pose of a gear of a pair in a file whose frame is the housing of the pair.

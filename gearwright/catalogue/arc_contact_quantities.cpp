@@ -85,7 +85,8 @@ void add_arc_contact(Quantities<C>& q) {
   q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
            at(&ArcContact::theta));
   q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
-           "[T7.9]; null if the flanks do not touch at this distance", [](const C& c) {
+           "[T7.9]; null if the flanks do not touch at the reference centre distance",
+           [](const C& c) {
              const auto& theta = c.contact->nominal_theta;
              return theta ? Value(theta->deg()) : Value();
            });
@@ -96,12 +97,13 @@ void add_arc_contact(Quantities<C>& q) {
      const ArcContact& a = c.contact->at;
      return by_gear(c, 2 * a.radius_convex, 2 * a.radius_concave);
    }).per_gear();
-  q.number("rotation2_offset_deg", "rotation of gear 2 at the contact", "",
-           "angle by which gear 2 is ahead of gear 1 when these flanks touch [T7.18]",
-           [](const C& c) {
-             const Angle offset = c.contact->at.rotation_offset;
-             return (convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg();
-           })
+  q.number(
+       "rotation2_offset_deg", "rotation of gear 2 at the contact", "",
+       "angle by which gear 2 is ahead of gear 1 when the two flanks of this contact touch [T7.18]",
+       [](const C& c) {
+         const Angle offset = c.contact->at.rotation_offset;
+         return (convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg();
+       })
       .doors(kJson);
   q.record<tensor_quantities>("curvature_per_mm", "curvatures of both flanks").doors(kJson);
   q.term("gap_curvature_per_mm", "k1 ≤ k2; k1 is 0 or negative if the flanks interfere",

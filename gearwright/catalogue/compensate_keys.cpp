@@ -58,7 +58,7 @@ std::vector<std::string_view> correction_words() {
 const KeyTable& compensate_keys() {
   static const KeyTable table{
       "compensate",
-      "Corrections that the verb compensate can make, and the errors that they must compensate",
+      "Corrections that the verb `compensate` can make, and the errors that they must compensate",
       {Key::word(
            "corrections", correction_words(), &CompensateInput::corrections,
            "`tool_setting_mm` and `cutter_lead1_deg` for circular-arc pairs, otherwise "
@@ -75,8 +75,9 @@ const KeyTable& compensate_keys() {
                  &CompensateInput::aim, "\"transmission_error\"",
                  "the quantity to minimise. `transmission_error` applies to rigid teeth and also "
                  "centres the pattern. `loaded_transmission_error` (peak to peak) and `pressure` "
-                 "(greatest value) apply to teeth under the torques of `[load]`. For these two, "
-                 "the worst torque determines the result, and `centering_arcsec` has no effect"),
+                 "(greatest value) apply to teeth under the torques of `[load]`. For "
+                 "`loaded_transmission_error` and `pressure`, the worst torque determines the "
+                 "result, and `centering_arcsec` has no effect"),
        Key::not_negative(
            "centering_arcsec", "w", &CompensateInput::centering_arcsec,
            "a tenth of the transmission error without corrections, but at least 0.1. "

@@ -292,8 +292,8 @@ void add_contact_results(Quantities<ContactView>& q) {
       .when(of_rack)
       .doors(kJson);
   q.term("continuous_peak_to_peak_arcsec",
-         "difference between the extremes of the curve [T14.11]; it does not depend on the "
-         "computed positions; null if contact is lost at some rotation",
+         "difference between the extremes of the curve [T14.11]; the difference does not depend on "
+         "the computed positions; null if contact is lost at some rotation",
          &ContactView::continuous_span)
       .otherwise("contact is lost")
       .when(of_gear);
@@ -327,9 +327,10 @@ void add_contact_results(Quantities<ContactView>& q) {
       .doors(kJson);
   q.term("contact_lost", "true if there is a position at which no tooth pair touches",
          [](const ContactView& v) { return v.driving.contact_lost; });
-  q.record<non_working_quantities>(
-       "non_working_flank", "transmission error of the non-working flanks, at the same positions",
-       &ContactView::other)
+  q.record<non_working_quantities>("non_working_flank",
+                                   "transmission error of the non-working flanks, at the same "
+                                   "positions as for the working flanks",
+                                   &ContactView::other)
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
            "least play over all positions, measured from contact of the working flanks to contact "
@@ -355,8 +356,8 @@ void add_contact_results(Quantities<ContactView>& q) {
       .when([](const ContactView& v) { return v.halves.empty(); })
       .doors(kJson);
   q.number("axial_float_um", "axial movement of the floating gear", "Δz",
-           "axial movement of gear 1 relative to gear 2 at each position; it makes both halves of "
-           "a double-helical pair share the load; null without contact [T8.27]",
+           "axial movement of gear 1 relative to gear 2 at each position; this movement makes both "
+           "halves of a double-helical pair share the load; null without contact [T8.27]",
            [](const ContactView& v) {
              ValueList list;
              for (const double mm : v.float_axial)
@@ -378,10 +379,9 @@ void add_contact_results(Quantities<ContactView>& q) {
       .list({2})
       .when([](const ContactView& v) { return !v.halves.empty(); })
       .doors(kJson);
-  q.record<pattern_quantities>(
-       "pattern",
-       "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
-       "`halves`")
+  q.record<pattern_quantities>("pattern",
+                               "pattern of both flanks; only with `pattern = true`; the pattern of "
+                               "a double-helical pair is in `halves`")
       .when([](const ContactView& v) { return v.pattern.has_value(); })
       .doors(kJson);
   q.record<map_quantities>("map",

@@ -17,7 +17,7 @@ namespace gearwright {
 /// A number for which derivatives were requested, with its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
-  double unit = 1.0;  ///< one unit of the number, in rad or mm
+  double unit = 1.0;  ///< the unit that `name` ends with, in mm or rad; π/180 for "…_per_deg"
 };
 
 /// A contact analysis with the results of additional requests. For a double-helical pair, the whole

@@ -216,14 +216,14 @@ void add_limits(Quantities<DesignView>& q) {
 
 void add_strength(Quantities<DesignView>& q) {
   const auto rated = [](const DesignView& v) { return v.problem->rating.has_value(); };
-  q.term("S_H", "as in `rate`; only for a rated search",
+  q.term("S_H", "as computed by the verb `rate`; only for a rated search",
          [](const DesignView& v) { return v.row->flank_safety; })
       .per_gear()
       .column("S_H#")
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
-  q.term("S_F", "as in `rate`; only for a rated search",
+  q.term("S_F", "as computed by the verb `rate`; only for a rated search",
          [](const DesignView& v) { return v.row->root_safety; })
       .per_gear()
       .column("S_F#")

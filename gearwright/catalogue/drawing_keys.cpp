@@ -9,8 +9,8 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of letters of a texture that its symbol can contain. Two textures that fit are
-// "0.008-0.8/Ra 0.8" and "U Rz 4; L Ra 0.2".
+// Greatest number of letters of a surface texture. A longer text does not fit into the symbol on
+// the drawing. Examples of textures that fit are "0.008-0.8/Ra 0.8" and "U Rz 4; L Ra 0.2".
 constexpr std::size_t kTextureLetters = 20;
 
 // The names of fits are checked at this size, mm. The table of deviations contains every fit there.

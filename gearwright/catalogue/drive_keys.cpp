@@ -209,7 +209,8 @@ const KeyTable& planetary_keys() {
            .with_form(kMembers),
        Key::number("tip_diameter_mm", "d_a", KeyRange::positive(), &P::tip_diameter,
                    "determined by the basic rack and reduced if the tip clearance is too small; "
-                   "for a ring, a diameter at which its tips touch only the flanks of the planets",
+                   "for a ring, a diameter at which the tips of the ring touch only the flanks of "
+                   "the planets",
                    "tip diameter")
            .with_form(kMembers),
        Key::number("bore_mm", "", KeyRange::positive(), &P::bore, "no bore",
@@ -251,8 +252,8 @@ Key stage_angle() {
                    "the value of the previous stage",
                    "direction from the axis of the first gear of a pair to the axis of the second, "
                    "counter-clockwise; 0 for the first stage. `\"coaxial\"` computes the direction "
-                   "that leads back to the axis of the input. If necessary, it also computes the "
-                   "absent angle of the previous stage");
+                   "that leads back to the axis of the input and, if necessary, also the absent "
+                   "angle of the previous stage");
   key.kind = KeyKind::number;
   key.range = KeyRange::between(-360, 360);
   key.words = {"coaxial"};

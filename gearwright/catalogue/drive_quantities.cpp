@@ -170,10 +170,10 @@ void add_drive(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "rotation error of the output while the input rotates uniformly; 0 if there are no "
-      "modifications and no [errors]. It is null for a drive with several inputs or with redundant "
-      "meshes. It is also null if it cannot be computed for a mesh that moves the output: a mesh "
-      "without geometry or with lost contact, a rack with several pinions or with errors of its "
-      "teeth, or a measured gear that is loaded on the flank without readings",
+      "modifications and no [errors]. The value is null for a drive with several inputs or with "
+      "redundant meshes. It is also null if the output is moved by a mesh without geometry or with "
+      "lost contact, by a rack with several pinions or with errors of its teeth, or by a measured "
+      "gear that is loaded on the flank without readings",
       &Drive::error);
   q.record<drive_load_quantities>("load", "the drive under load; only with `[load]`")
       .when([](const Drive& d) { return d.loaded.has_value(); })

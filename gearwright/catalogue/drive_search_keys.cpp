@@ -74,7 +74,7 @@ Key face_width() {
   k.meaning =
       "face width; within a band, each mesh of a rated design has the least width with the "
       "required "
-      "safeties, in steps of 1 mm, or of 0.05 in if the spec is in inch";
+      "safeties, in steps of 1 mm or, in a spec in inch, of 0.05 inch";
   return k;
 }
 
@@ -96,7 +96,7 @@ const KeyTable& drive_search_keys() {
        Key::number("target_ratio", "", {}, &Problem::target_ratio, "the middle of the band `ratio`",
                    "target of the objective `ratio`"),
        band("planets", "N", KeyRange::between(1, 100), &Problem::planets, "3", "number of planets"),
-       teeth("sun_teeth", SetMember::sun, "12 to 60; no sun for a Wolfrom set",
+       teeth("sun_teeth", SetMember::sun, "12 to 60; a Wolfrom set has no sun by default",
              "number of teeth of the sun"),
        teeth("sun2_teeth", SetMember::sun2, "12 to 60", "number of teeth of the second sun"),
        teeth("planet_teeth", SetMember::planet, "12 to 60", "number of teeth of the planet"),
@@ -114,8 +114,8 @@ const KeyTable& drive_search_keys() {
        band("wheel_teeth", "z", KeyRange::between(1, kMostDriveTeeth), &Problem::wheel, "17 to 150",
             "numbers of teeth of the wheels of a train"),
        Key::number("coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
-                   "1 for a set, but the number of planets if two rings mesh with one planet gear; "
-                   "no limit for a train",
+                   "no limit for a train; for a set, the number of planets if two rings mesh with "
+                   "one planet gear, otherwise 1",
                    "greatest difference between the sums of teeth of meshes with a common centre "
                    "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
                    "for this difference"),
@@ -127,7 +127,7 @@ const KeyTable& drive_search_keys() {
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
        Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding,
-                   "3 for a rated train without profile_shift, otherwise no limit",
+                   "3 for a rated train without profile_shift; other drives have no limit",
                    "greatest permitted specific sliding at both ends of the path of contact of "
                    "every mesh; a small set without undercut has about 3 to 5"),
        Key::not_negative("overlap_ratio_min", "ε_β", &Problem::overlap, "no limit",
@@ -157,11 +157,12 @@ const KeyTable& drive_search_keys() {
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest permitted diameter of a set, measured over the planets and over the "
                      "root circles of the rings, without the rims; for a train, greatest permitted "
-                     "sum of the centre distances. Both are computed without profile shifts"),
+                     "sum of the centre distances. The diameter and the sum are computed without "
+                     "profile shifts"),
        Key::positive(
            "center_distance_mm", "a", &Problem::center_distance, "no limit",
            "centre distance of every stage of a train, as mounted; a single number is the "
-           "exact centre distance. The profile shifts follow from it")
+           "exact centre distance. The profile shifts follow from the centre distance")
            .with_list(kBand)
            .with_form("a distance in mm, or a band [least, greatest]")
            .with_excludes({"profile_shift"},

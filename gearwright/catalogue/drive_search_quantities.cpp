@@ -108,7 +108,7 @@ void add_found(Quantities<F>& q) {
          [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
   q.term("equal", "true if the planets are at equal pitch",
          [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
-  q.term("neighbour_clearance_mm", "least distance of their tip circles",
+  q.term("neighbour_clearance_mm", "least distance of the tip circles of neighbouring planets",
          [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
   q.word("phasing", "class of phasing", "for the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");
@@ -191,11 +191,12 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
         [](const S& s) { return s.designs->computed; });
   q.add(Type::index, "hopeless", "hopeless", "",
         "number of feasible trains that were not computed, because an estimate from 64 rated "
-        "trains of the same module shows that they cannot have the required safeties",
+        "trains of the same module shows that these trains cannot have the required safeties",
         [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
-        "number of other feasible sets that were not computed, because at most 20 000 sets of each "
-        "module are computed; 0 if `designs` has at least as many drives as `--top` gives",
+        "number of feasible sets that were not computed, because at most 20 000 sets of each "
+        "module are computed; trains in `hopeless` are not counted; 0 if `designs` has at least as "
+        "many drives as `--top` gives",
         [](const S& s) { return s.designs->beyond_limit; });
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
@@ -213,9 +214,9 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "drives with a green verdict, at most as many as `--top` gives. They are in groups of 100, "
-       "and each group begins with its best drive. If there are several objectives, drives of the "
-       "Pareto front follow. The numbers of a drive equal the results of the verb `drive`",
+       "drives with a green verdict, at most as many as `--top` gives. The drives are in groups of "
+       "100, and each group begins with its best drive. If there are several objectives, drives of "
+       "the Pareto front follow. The numbers of a drive equal the results of the verb `drive`",
        [](const S& s) -> const auto& { return s.designs->list; })
       .doors(kJson);
 }

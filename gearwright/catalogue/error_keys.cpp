@@ -81,18 +81,18 @@ ContactErrors ErrorsInput::of(const std::array<const Gear*, 2>& gears) const {
 const KeyTable& error_keys() {
   static const KeyTable table = [] {
     KeyTable t{
-        "errors", "Errors of mounting and of the teeth; all of them act at the same time", {}};
+        "errors", "Errors of mounting and of the teeth; all errors act at the same time", {}};
     for (std::size_t i = 0; i < kErrorCount; ++i) {
       const ErrorEntry& e = error_entries()[i];
       KeyRange range;
       if (e.of_cutter()) {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees, because it is an error of the lead angle; the helix "
-                                  "angle itself is helix_angle_deg of the gear");
+                                  " degrees, because the value is an error of the lead angle; the "
+                                  "helix angle itself is helix_angle_deg of the gear");
       } else if (e.unit() == "deg") {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees, because it is an error of the shaft angle; the shaft "
-                                  "angle itself is pair.shaft_angle_deg");
+                                  " degrees, because the value is an error of the shaft angle; the "
+                                  "shaft angle itself is pair.shaft_angle_deg");
       } else if (e.unit() == "um") {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
                                   " µm; the helix angle itself is a key of the gear");

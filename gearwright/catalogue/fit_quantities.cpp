@@ -6,10 +6,10 @@ namespace {
 
 const Quantities<Fit>& nearest_quantities() {
   return define("fit.nearest", [](Quantities<Fit>& q) {
-    q.term("center_distance_mm", "null if there is no near value", &Fit::nearest_distance)
-        .words("nearest centre distance at this shaft angle");
-    q.term("shaft_angle_deg", "null if there is no near value", &Fit::nearest_shaft_angle)
-        .words("nearest shaft angle at this centre distance");
+    q.term("center_distance_mm", "null if no such value was found", &Fit::nearest_distance)
+        .words("nearest centre distance for which a solution exists");
+    q.term("shaft_angle_deg", "null if no such value was found", &Fit::nearest_shaft_angle)
+        .words("nearest shaft angle for which a solution exists");
   });
 }
 

@@ -68,13 +68,13 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
        "mating gear, or for the edition of 2013, which requires a design value",
        &T::single_flank);
     um("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
-       "null if the total deviation is null", &T::tooth_single_flank);
+       "null if F_i′ is null", &T::tooth_single_flank);
     um("axis_deviation_um", "crossing of the axes", "f_Σβ",
        "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
        "without `bearing_span_mm`",
        &T::axis_deviation);
     um("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-       "null if the crossing of the axes is null", &T::axis_inclination);
+       "null if f_Σβ is null", &T::axis_inclination);
   });
 }
 const Quantities<EvaluationRanges>& range_quantities() {

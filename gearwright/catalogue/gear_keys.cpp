@@ -105,7 +105,7 @@ const KeyTable& gear_keys() {
        Key::number("normal_pressure_angle_deg", "α_n",
                    KeyRange::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"),
                    KeyPlace::by<GearInput, Angle>(set_pressure_angle), "20",
-                   "normal pressure angle; `transverse_pressure_angle_deg` can replace it")
+                   "normal pressure angle; `transverse_pressure_angle_deg` can replace this key")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
                    KeyRange::inside(0, 90, ", usually 14.5 to 30"), {}, "",
@@ -116,7 +116,7 @@ const KeyTable& gear_keys() {
            KeyRange::between(-kMaxHelix, kMaxHelix, ", > 0 for right hand and < 0 for left hand"),
            {}, "0",
            "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; "
-           "`lead_angle_deg` with `hand` can replace it")
+           "`lead_angle_deg` with `hand` can replace this key")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", KeyRange::above(0, 90, " (spur)"), {}, "",
                    "lead angle, given together with `hand`")
@@ -213,8 +213,8 @@ const KeyTable& cutter_keys() {
                                       "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; a module or an angle that it omits is taken from the gear or, if the "
-        "gear does not give it, from the mating gear";
+        "A pinion cutter. If its table has no module or no angle, the cutter has the value of the "
+        "gear that it cuts or, if this gear has no value, the value of the mating gear";
     return t;
   }();
   return table;
@@ -310,7 +310,8 @@ const KeyTable& bore_keys() {
                           "determines both keyway_width_mm and keyway_depth_mm; leave out these "
                           "keys, or leave out keyway"),
        Key::positive(
-           "keyway_width_mm", "", &Bore::keyway_width, "no keyway, or the width by `keyway`",
+           "keyway_width_mm", "", &Bore::keyway_width,
+           "the width by `keyway`; without `keyway`, the bore has no keyway",
            "width of a keyway at +y of the gear frame; less than the diameter of the bore")
            .with_needs({"keyway_depth_mm"})
            .with_also({"key_width"}),

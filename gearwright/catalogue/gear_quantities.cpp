@@ -301,7 +301,7 @@ void add_fillets_and_body(Quantities<Gear>& q) {
       .when();
   of_bulge
       .number("tip_bulge_from_mm", "diameter at which the tip begins to project", "",
-              "the flank of the cutter cuts the tooth only as far as this diameter",
+              "end of the part of the tooth that the flank of the cutter cuts",
               &TipBulge::from_diameter)
       .when();
   q.number("neck_thickness_mm", "root thickness at the neck (chord)", "",

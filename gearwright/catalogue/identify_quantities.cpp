@@ -84,10 +84,11 @@ void add_candidate(Quantities<G>& q) {
            "profile shift of the actual teeth, including the thickness allowance",
            &G::generating_shift);
   q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift).doors(kJson);
-  q.term("tip_diameter_mm",
-         "the nominal tip of `drawing` if the tip was not measured, or if it is shorter by at most "
-         "0.1 m_n in radius, which is attributed to wear; otherwise the measured value",
-         &G::tip_diameter);
+  q.term(
+      "tip_diameter_mm",
+      "the nominal tip of `drawing` if the tip was not measured, or if the measured tip is shorter "
+      "by at most 0.1 m_n in radius, which is attributed to wear; otherwise the measured value",
+      &G::tip_diameter);
   q.number("profile_shift_of_tip", "profile shift by the tip", "x",
            "profile shift computed from the measured tip and the rack of `drawing`; too low if the "
            "tip is worn; null if the tip was not measured",
@@ -129,7 +130,8 @@ const Quantities<Contradiction>& contradiction_quantities() {
            "for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "value as read", "", "in `unit`", &C::value);
-    q.number("expected", "value predicted by the other readings", "", "in `unit`", &C::expected);
+    q.number("expected", "value of this reading that the other readings predict", "", "in `unit`",
+             &C::expected);
     add_units(q);
   });
 }
@@ -144,8 +146,8 @@ const Quantities<NextMeasurement>& next_quantities() {
            "for a span, the number of teeth between the anvils; for balls, their diameter; null "
            "for other measurements",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
-    q.number("expect", "value expected for the first and for the other candidate", "", "in `unit`",
-             &N::expect)
+    q.number("expect", "values of this measurement that the first and the other candidate predict",
+             "", "in `unit`", &N::expect)
         .list({2});
     add_units(q);
     q.whole("rival", "the other candidate", "",
@@ -183,7 +185,7 @@ const Quantities<Identification>& identify_quantities() {
     q.under("Contradiction");
     q.record<contradiction_quantities>("contradiction",
                                        "reading that contradicts the others; the candidates are "
-                                       "computed without it; null if the readings agree",
+                                       "computed without this reading; null if the readings agree",
                                        &I::contradiction);
     q.under("Next measurement");
     q.record<next_quantities>("next_measurement",
@@ -195,7 +197,7 @@ const Quantities<Identification>& identify_quantities() {
         "alternative",
         "a gear that agrees with all readings if one input is corrected; null if the readings "
         "agree "
-        "with a standard gear, or if no single correction makes them agree",
+        "with a standard gear, or if no single correction makes the readings agree",
         &I::alternative);
     q.text("reason",
            "reason why no candidate fits the readings; null if at least one candidate fits",

@@ -13,7 +13,7 @@ KeyRange flank_classes() {
 const KeyTable& measure_keys() {
   static const KeyTable table{
       "measure",
-      "Positions and tools of the measurements; only the verb measure reads this table",
+      "Positions and tools of the measurements; only the verb `measure` reads this table",
       {Key::positive("chord_diameter_mm", "", &MeasureInput::chord_diameter,
                      "the reference diameter, or the middle of the usable flank if the flank does "
                      "not contain the reference diameter",
@@ -96,7 +96,7 @@ const KeyTable& measured_keys() {
   using I = IdentifyProblem;
   static const KeyTable table{
       "measured",
-      "Readings of an unknown gear for the verb identify; uncertainties are 95 % intervals",
+      "Readings of an unknown gear for the verb `identify`; uncertainties are 95 % intervals",
       {{.key = "span_mm",
         .symbol = "W_k",
         .kind = KeyKind::any,

@@ -20,8 +20,8 @@ const KeyTable& load_keys() {
       "Teeth under torque, for the verb `load` and, with drives, for the verbs `drive`, `rate` and "
       "`run`",
       {Key::number("torque_Nm", "T_1", KeyRange::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; a list of torques gives the Harris map. For a drive, it is "
-                   "one torque on the input, and its default is the torque of the drive. For a "
+                   "torque on gear 1; a list of torques gives the Harris map. For a drive, the key "
+                   "is one torque on the input, and its default is the torque of the drive. For a "
                    "pair, the default of the verb `load` is the nominal torque of `[rating]`")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
@@ -46,15 +46,16 @@ const KeyTable& load_keys() {
            "at least four times the half width of contact"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
                  "`draft` uses a coarser mesh of the teeth and is two to three times as fast"),
-       Key::number("deflection_slope_um", "", KeyRange::between(-1e5, 1e5),
-                   &LoadInput::deflection_slope, "0",
-                   "additional approach of the flanks, linear along the common face, caused by "
-                   "housing and bearings or by shafts without `[gearN.shaft]`; it is added to the "
-                   "deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
+       Key::number(
+           "deflection_slope_um", "", KeyRange::between(-1e5, 1e5), &LoadInput::deflection_slope,
+           "0",
+           "additional approach of the flanks, linear along the common face, caused by "
+           "housing and bearings or by shafts without `[gearN.shaft]`; this approach is added to "
+           "the deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
        Key::number("deflection_bow_um", "", KeyRange::between(-1e5, 1e5),
                    &LoadInput::deflection_bow, "0",
                    "additional approach of the flanks that is parabolic along the face; the key "
-                   "gives its value in the middle of the face"),
+                   "gives the approach in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies stay centred",
                  "body of a drive that is free to move radially (the sun, the ring or the carrier "
                  "of a planetary set)"),

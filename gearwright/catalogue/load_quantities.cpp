@@ -61,9 +61,9 @@ void add_load_position(Quantities<P>& q) {
       .words("loaded transmission error");
   q.number("approach_um", "approach under load", "Θ r_b2",
            "approach of the flanks relative to the first contact without load, along the line of "
-           "action in the transverse section or, for point contact, along the normals; it includes "
-           "the deflection of the flanks and the twist of the bodies, but not the displacement of "
-           "the axes when the shafts deflect",
+           "action in the transverse section or, for point contact, along the normals; the "
+           "approach includes the deflection of the flanks and the twist of the bodies, but not "
+           "the displacement of the axes when the shafts deflect",
            [](const P& p) { return p.position->approach * kUmPerMm; })
       .or_null();
   q.number(
@@ -179,8 +179,8 @@ void add_stresses(Quantities<T>& q) {
                  &LoadedTorque::max_pressure);
   of_torque
       .number("max_root_stress_MPa", "greatest root stress", "",
-              "greatest principal stress along the fillets over all positions, per gear; it "
-              "depends on the number of slices if an edge carries load",
+              "greatest principal stress along the fillets over all positions, per gear; the "
+              "stress depends on the number of slices if an edge carries load",
               &LoadedTorque::max_root_stress)
       .per_gear();
   of_torque

@@ -130,8 +130,8 @@ const KeyTable& material_keys() {
                         "flank strength at each temperature, for the required life"),
          by_temperature("sigma_Flim_by_temperature_MPa", "σ_FlimN", &MaterialInput::sigma_Flim_by,
                         "sigma_Flim_by",
-                        "nominal root strength at each temperature, for the required life; it does "
-                        "not include Y_ST = 2"),
+                        "nominal root strength at each temperature, for the required life; the "
+                        "strength does not include Y_ST = 2"),
          by_temperature("youngs_modulus_by_temperature_MPa", "E", &MaterialInput::youngs_modulus_by,
                         "youngs_modulus_by", "Young's modulus at each temperature")},
         check_name,

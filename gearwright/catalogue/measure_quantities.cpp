@@ -47,7 +47,8 @@ void add_span(Quantities<Span>& q) {
      return place_word(s.place);
    }).one_of(kPlaces);
   q.number("min_face_width_mm", "required face width", "",
-           "W_k sin |β_b|; on a narrower gear one of the anvils does not touch [T10.4]",
+           "W_k sin |β_b|; if the face is narrower than this width, one of the anvils does not "
+           "touch [T10.4]",
            &S::min_face_width);
   q.flag("face_wide_enough", "face is wide enough for both anvils",
          "true if b is greater than the required face width", &S::face_is_wide_enough);
@@ -78,9 +79,10 @@ const Quantities<BallMeasure>& ball_quantities() {
         "over the balls, or between them for an internal gear; both balls are in one transverse "
         "plane, in tooth spaces that are opposite or as nearly opposite as possible [T10.8]",
         &B::dimension);
-    q.number("radial_mm", "distance from the axis over one ball", "M_rK",
-             "for an internal gear, to the inner side of the ball",
-             [](const B& b) { return b.seat.radial; });
+    q.number(
+        "radial_mm", "distance from the axis over one ball", "M_rK",
+        "from the axis to the outer side of the ball or, for an internal gear, to its inner side",
+        [](const B& b) { return b.seat.radial; });
     add_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
   });
 }
@@ -96,7 +98,7 @@ const Quantities<PinMeasure>& pin_quantities() {
              "`two_free_face_width_mm` [T10.9]; null for an internal helical gear",
              [](const P& p) { return p.reading.two_free; });
     q.number("two_free_face_width_mm", "required face width of two pins that may tilt", "",
-             "least face width that includes all contacts of these pins [T10.35]",
+             "least face width that includes all contacts of two pins that may tilt [T10.35]",
              [](const P& p) { return p.reading.two_free_face; });
     q.number("three_mm", "dimension over two pins between parallel anvils", "M_dR",
              "for helical gears, this is also the dimension over three pins [T10.10]; for spur "
@@ -131,8 +133,8 @@ const Quantities<BallSizes>& size_quantities() {
     q.number("metric_mm", "nearest metric size", "", "size of measuring pins by DIN 3977",
              &S::metric);
     q.word("inch", "nearest inch size",
-           "size of balls; the steps are 1/64 in for sizes up to 1/2 in, 1/32 in for sizes up to "
-           "1 in, and 1/16 in for greater sizes",
+           "size of balls; the steps are 1/64 inch for sizes up to 1/2 inch, 1/32 inch for sizes "
+           "up to 1 inch, and 1/16 inch for greater sizes",
            [](const S& s) { return inch_text(s.inch); });
     q.number("inch_mm", "diameter of the nearest inch size", "", "",
              [](const S& s) { return s.inch * kMmPerInch; });

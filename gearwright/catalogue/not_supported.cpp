@@ -17,8 +17,8 @@ struct Row {
 };
 
 constexpr std::string_view kRackMate =
-    "is not a table; describe a rack as a mating part by [gear2] with form = \"rack\", and the "
-    "rack that cuts a gear by [gear1.rack]";
+    "is not a table. A rack that meshes with gear 1 is described by [gear2] with form = \"rack\". "
+    "A rack that cuts gear 1 is described by [gear1.rack]";
 constexpr std::string_view kTwoHalves =
     "is not allowed; describe a double-helical gear by the table [gear1.double_helical], for "
     "example with gap_mm = 0. In this case helix_angle_deg is the angle of the half at z > 0";
@@ -34,17 +34,16 @@ constexpr std::string_view kInternal =
     "positive number is an external gear";
 
 constexpr std::string_view kOtherGears =
-    "is not supported, because this program computes cylindrical gears and racks only; bevel gears "
-    "and worm gears are outside it. Shafts at an angle can have crossed helical gears, with "
-    "helix_angle_deg in [gear1] and [gear2] and shaft_angle_deg in [pair]";
+    "is not supported, because this program computes cylindrical gears and racks only, not bevel "
+    "gears or worm gears. Shafts at an angle can have crossed helical gears, with helix_angle_deg "
+    "in [gear1] and [gear2] and shaft_angle_deg in [pair]";
 constexpr std::string_view kRoundBore =
-    "is not supported, because a bore is round; it may have a keyway by keyway_width_mm and "
-    "keyway_depth_mm";
+    "is not supported, because a bore is round; the bore may have a keyway, given by "
+    "keyway_width_mm and keyway_depth_mm";
 constexpr std::string_view kOutputTorque =
     "is not a key; give the torque on the input by torque_Nm, which is the torque on the output "
-    "divided by ratio and efficiency, T_in = T_out/(i η). The verb drive computes i and η without "
-    "a "
-    "torque";
+    "divided by ratio and efficiency, T_in = T_out/(i η). The command `gearwright drive` computes "
+    "i and η without a torque";
 
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",

@@ -131,7 +131,7 @@ Key of_few_teeth(std::string_view key, std::string_view symbol,
 const KeyTable& fit_keys() {
   static const KeyTable table{
       "fit",
-      "Settings of the verb fit; no other verb reads them",
+      "Settings of the verb `fit`; no other verb reads them",
       {Key::number("working_normal_pressure_angle_deg", "α_wn",
                    KeyRange::between(1, 80, ", usually 14.5 to 30"),
                    &FitInput::working_normal_pressure_angle, "",
@@ -143,8 +143,9 @@ const KeyTable& fit_keys() {
                     "least normal tooth thickness at both tips"),
        of_few_teeth("least_gap_mm", "", &FitInput::min_gap, "0",
                     "least chord of the tooth space at the start of the flanks, for both gears"),
-       of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
-                    "tip clearance of both gears without backlash; a backlash makes it greater"),
+       of_few_teeth(
+           "clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
+           "tip clearance of both gears without backlash; a backlash increases the tip clearance"),
        of_few_teeth(
            "backlash_mm", "", &FitInput::backlash, "0",
            "circumferential backlash, which determines the centre distance to first "

@@ -89,13 +89,13 @@ const Quantities<CrossedPlaces>& places_quantities() {
            [](const P& p) {
              return std::array{p.lo.center_distance, p.hi.center_distance};
            })
-        .words("centre distance at these two angles")
+        .words("centre distances at both ends of the range of α_wn")
         .ends();
     q.term("shaft_angle_deg", ends,
            [](const P& p) {
              return std::array{p.lo.shaft_angle, p.hi.shaft_angle};
            })
-        .words("shaft angle at these two angles")
+        .words("shaft angles at both ends of the range of α_wn")
         .ends();
     q.flag("ends_at_90_deg_helix", "limited by a helix angle of 90°",
            "true if the interval ends because a helix angle reaches 90°", &P::limit)
@@ -200,8 +200,8 @@ const Quantities<PairBacklash>& backlash_quantities() {
         .per_gear();
     q.number("free_rotation_deg", "free play with the mating gear fixed", "",
              "per gear, rotation without any contact; less than the backlash if other parts of the "
-             "teeth touch before the flanks. It is null if it is not computed (as on crossed axes "
-             "with an internal gear), or if a tip lies inside a root",
+             "teeth touch before the flanks. The rotation is null if a tip lies inside a root, or "
+             "if the rotation is not computed, for example on crossed axes with an internal gear",
              [](const B& b) {
                if (!b.free) return Value();
                return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
@@ -236,10 +236,10 @@ const Quantities<ParallelPair>& needed_face_quantities() {
           .shown(worth);
     };
     add("total_1", "whole_total_1", "face width for a total contact ratio of 1",
-        "null for a spur pair whose transverse contact ratio is below this value",
+        "null for a spur pair whose transverse contact ratio is below 1",
         [](const P& p) { return face_width_for_total(p, 1.0); });
     add("total_1_2", "whole_total_1_2", "face width for a total contact ratio of 1.2",
-        "null for a spur pair whose transverse contact ratio is below this value",
+        "null for a spur pair whose transverse contact ratio is below 1.2",
         [](const P& p) { return face_width_for_total(p, 1.2); });
     add("overlap_1", "whole_overlap_1", "face width for an overlap ratio of 1",
         "null for spur pairs", face_width_for_overlap);

@@ -75,7 +75,7 @@ void add_mounting(Quantities<Pair>& q) {
   of_involutes
       .term("backlash_free_center_distance_mm",
             "for the teeth as cut, including allowances [T2.20], and for crossed axes at the given "
-            "shaft angle [T4.11]; null if there is no such distance",
+            "shaft angle [T4.11]; null if no centre distance is free of backlash",
             &InvolutePair::backlash_free_center_distance)
       .expected();
   of_involutes.number("extended_center_distance_mm", "extended centre distance", "",

@@ -72,7 +72,8 @@ const Quantities<PlanetSet>& assembly_quantities() {
         .list({0});
     q.whole("planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
             [](const P& p) { return p.neighbours ? Value(p.neighbours->most) : Value(); });
-    q.term("neighbour_clearance_mm", "least distance of their tip circles [T13.15b]",
+    q.term("neighbour_clearance_mm",
+           "least distance of the tip circles of neighbouring planets [T13.15b]",
            [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
   });
 }

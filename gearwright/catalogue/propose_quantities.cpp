@@ -37,7 +37,8 @@ const Quantities<ProposedGear>& gear_of_proposal_quantities() {
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
              "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
-    q.text("amounts", "amounts in words; empty if they are the same as in the spec", amounts_of);
+    q.text("amounts", "amounts in words; empty if the amounts are the same as in the spec",
+           amounts_of);
   });
 }
 
@@ -62,12 +63,12 @@ const Quantities<Proposal>& proposal_quantities() {
         .one_of(profile_words());
     q.text("words", "modifications in words", words_of);
     q.flag("pitch_deviations", "reliefs with pitch deviations",
-           "true if the reliefs allow for load and pitch deviations, false if they allow for the "
-           "load alone",
+           "true if the reliefs allow for load and pitch deviations, false if the reliefs allow "
+           "for the load alone",
            &P::pitch);
     q.flag("lead", "helix modifications",
-           "true if the proposal has a helix crowning and slope of gear 1, false if it keeps the "
-           "helix modifications of the spec",
+           "true if the proposal has a helix crowning and slope of gear 1, false if the proposal "
+           "keeps the helix modifications of the spec",
            &P::lead);
     q.record<gear_of_proposal_quantities>("gears", "amounts, per gear", &P::gears).list({2});
     q.record<load_of_proposal_quantities>("under_load", "one entry for each torque", &P::loads);
@@ -78,7 +79,8 @@ const Quantities<Proposal>& proposal_quantities() {
         "worst values over 16 positions, all torques and both signs of `helix_deviation_um`; this "
         "deviation is added to the deflection slope; null without tolerances",
         &P::at_limits);
-    q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
+    q.add(Type::map, "spec", "spec", "", "the whole spec with the modifications of the proposal",
+          &P::spec)
         .always();
   });
 }

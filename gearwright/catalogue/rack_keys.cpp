@@ -92,7 +92,9 @@ const KeyTable& arc_rack_keys() {
        Key::number("arc_radius", "ρ*", some_length(), &ArcRack::arc_radius, kRequired,
                    "radius of the flank arc [T7.1] [T7.2]"),
        Key::number("center_a", "a*", any_length(), &ArcRack::center_a, kRequired,
-                   "distance of the arc centre beyond the middle of the tooth"),
+                   "distance of the arc centre from the middle of the convex tooth (for `\"P\"`, "
+                   "of the concave tooth space); > 0 if the centre and the arc are on opposite "
+                   "sides of the middle"),
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
                    "distance of the arc centre from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
@@ -135,7 +137,8 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("convex_height", "x_a*", any_length(), &DoubleArcRack::convex_height, "0.0163",
                    "height of the centre of the convex arc above the datum line"),
        Key::number("convex_offset", "l_a*", any_length(), &DoubleArcRack::convex_offset, "0.6289",
-                   "distance of the centre of the convex arc beyond the middle of the tooth"),
+                   "distance of the centre of the convex arc from the middle of the tooth; > 0 if "
+                   "the centre and the arc are on opposite sides of the middle"),
        Key::number("step_height", "h_ja*", some_length(), &DoubleArcRack::step_height, "0.16",
                    "height above the datum line at which the step begins"),
        Key::number("step_depth", "h_jf*", some_length(), &DoubleArcRack::step_depth, "0.2",

@@ -146,7 +146,7 @@ const Quantities<RackGeometry>& rack_quantities() {
         .doors(kJson);
     q.term("teeth",
            "number of teeth of the rack; null for a rack of unlimited length; if the length is "
-           "given, the number of whole teeth that fit into it",
+           "given, the number of whole teeth that fit into this length",
            [](const R& r) { return r.bar.teeth; });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module);
     q.term("helix_angle_deg",

@@ -171,7 +171,7 @@ const KeyTable& rating_keys() {
            "application factor K_A for additional loads from the driving and the driven machine"),
        mesh_load_factor(),
        Key::positive("life_h", "L_h", {&RatingTable::input, &RatingInput::life_h},
-                     "life factors are 1", "required life in hours at this load")
+                     "life factors are 1", "required life in hours at the given load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
        Key::flag(
@@ -200,10 +200,10 @@ const KeyTable& rating_keys() {
                {&RatingTable::input, &RatingInput::root_roughness}, "Y_RrelT = 1",
                "Rz of the root fillets")
            .with_also({"root_rz"}),
-       Key::not_negative(
-           "tip_relief_um", "C_a", {&RatingTable::input, &RatingInput::tip_relief},
-           "the tip relief that running-in produces; no relief for grade 6 and coarser grades",
-           "tip relief, for the dynamic factor of grades 0 to 5"),
+       Key::not_negative("tip_relief_um", "C_a", {&RatingTable::input, &RatingInput::tip_relief},
+                         "the tip relief that running-in produces; for grade 6 and coarser grades, "
+                         "the tip relief has no effect",
+                         "tip relief, for the dynamic factor of grades 0 to 5"),
        of_both("rim_thickness_mm", "s_R", KeyRange::positive(),
                KeyPlace::by<RatingTable, std::array<double, 2>>(set_rims), "the rim is thick",
                "thickness of the rim under the teeth, for Y_B and, together with the web, for c'")
@@ -242,11 +242,11 @@ const KeyTable& rating_keys() {
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
-                     "none; results that depend on this safety use 1",
+                     "none; the value 1 is used for results that need a required safety",
                      "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
-                     "none; results that depend on this safety use 1",
+                     "none; the value 1 is used for results that need a required safety",
                      "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",

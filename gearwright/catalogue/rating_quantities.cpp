@@ -296,14 +296,13 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       "torque_holding_Nm", "greatest torque", "T_1",
       "greatest torque on gear 1 for which the safeties are at least `safety_flank_min` and "
       "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque, "
-      "or if no K_Hβ can be computed near it with `face_load_factor = \"computed\"`",
+      "or if no K_Hβ can be computed near this torque with `face_load_factor = \"computed\"`",
       &RatingAnswer::torque_holding);
-  q.number(
-       "face_width_holding_mm", "required face width", "b",
-       "least face width, up to 40 modules, with the safeties of `torque_holding_Nm`; null if "
-       "there is no such face width, or with `face_load_factor = \"computed\"`, which applies to "
-       "one face width",
-       &RatingAnswer::face_holding)
+  q.number("face_width_holding_mm", "required face width", "b",
+           "least face width, up to 40 modules, for which the safeties satisfy the same limits as "
+           "for `torque_holding_Nm`; null if there is no such face width, or with "
+           "`face_load_factor = \"computed\"`, which applies to one face width",
+           &RatingAnswer::face_holding)
       .digits(2);
 }
 

@@ -21,7 +21,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "third harmonic of the transmission error"},
        Q::harmonic3},
       {{"mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
-        "mean transmission error; it includes the play and does not affect noise"},
+        "mean transmission error; the mean includes the play and does not affect noise"},
        Q::mean},
       {{"contact_along_face", "contact along the face", Unit::none, 4,
         "mean position of the contact along the face, −1 to 1 [T8.24]"},

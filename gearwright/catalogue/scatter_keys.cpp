@@ -64,11 +64,9 @@ std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
                     "points would fill the ranges unevenly"};
   const long long all = static_cast<long long>(s.samples) * s.replicates;
   if (all <= kMaxScatterSamples) return std::nullopt;
-  return KeyFault{
-      "samples",
-      fmt::format(
-          "must be smaller; the product of samples and replicates must be at most {}, but it is {}",
-          kMaxScatterSamples, all)};
+  return KeyFault{"samples", fmt::format("must be smaller; the product of samples and replicates "
+                                         "must be at most {}, but this product is {}",
+                                         kMaxScatterSamples, all)};
 }
 
 KeyPlace gear(std::size_t i) {
@@ -115,24 +113,25 @@ const KeyTable& scatter_keys() {
                  "least play within all ranges [T14.15]"),
        Key::flag("loosening", &ScatterInput::loosening, "false",
                  "if true, the result contains the tolerance that should be tightened first. For "
-                 "each tolerance, it also contains a factor; if the tolerance grows by this "
-                 "factor, the greatest of `percentiles` of the peak-to-peak transmission error "
-                 "grows by 5 % [T14.19]"),
+                 "each tolerance, the result also contains a factor; if the tolerance grows by "
+                 "this factor, the greatest of `percentiles` of the peak-to-peak transmission "
+                 "error grows by 5 % [T14.19]"),
        Key::flag("pattern", &ScatterInput::pattern, "false",
                  "if true, the result contains the density of the contact pattern on both flanks. "
                  "At each point of a flank, the density is the share of samples in which the "
-                 "marking compound of [contact] shows contact. It is computed from the first 256 / "
-                 "`replicates` samples of each replicate [T14.27]"),
+                 "marking compound of [contact] shows contact. The density is computed from the "
+                 "first 256 / `replicates` samples of each replicate [T14.27]"),
        Key::flag(
            "loaded", &ScatterInput::loaded, "false",
            "if true, loaded transmission error, pressure and face load factor are computed for the "
            "first samples of each replicate. The torques and positions are those of [load] (by "
            "default 16 positions). Pitch deviations have no effect on these quantities [T14.24]"),
-       Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
-                   &ScatterInput::loaded_samples, "256",
-                   "greatest number of samples under load, for all replicates together. The number "
-                   "of samples of each replicate is the greatest power of two that exceeds neither "
-                   "this limit divided by `replicates` nor `samples`; it is at least 1"),
+       Key::number(
+           "loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
+           &ScatterInput::loaded_samples, "256",
+           "greatest number of samples under load, for all replicates together. Each replicate has "
+           "at least 1 sample. The number of samples of each replicate is the greatest power of "
+           "two that is at most `samples` and at most this limit divided by `replicates`"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &ScatterInput::quality,
            "`[gearN.tolerance] quality`",
@@ -253,7 +252,7 @@ const KeyTable& scatter_modification_keys() {
 const KeyTable& scatter_correlation_keys() {
   static const KeyTable table{
       "scatter_correlations",
-      "The correlation of two inputs; the range and the distribution of each input stay the same",
+      "The correlation of two inputs; the range and the distribution of each input do not change",
       {{.key = "between",
         .kind = KeyKind::text,
         .list = KeyList{.least = 2, .most = 2},

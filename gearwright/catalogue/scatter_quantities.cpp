@@ -52,7 +52,7 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("total_error", "standard error of the total index", "", true, true);
     q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
              "share of the variance that is explained by the derivatives at the nominal values "
-             "[T14.28]; null if the quantity has no derivative at these values",
+             "[T14.28]; null if the quantity has no derivative at the nominal values",
              &I::linear_share);
   });
 }
@@ -84,9 +84,9 @@ const Quantities<WorstView>& worst_quantities() {
            [](const W& w) { return w.worst->corner; });
     q.number("bound", "bound", "",
              "lower bound of the values of all pairs within the ranges, in the unit of its key "
-             "[T14.29]; null for the peak-to-peak value, which is not convex. The other bounds are "
-             "given only for external involute pairs on parallel axes without reliefs, "
-             "topographies and waves",
+             "[T14.29]; null for the peak-to-peak value, which is not convex. The bounds of other "
+             "quantities are given only for external involute pairs on parallel axes without "
+             "reliefs, topographies and waves",
              [](const W& w) { return shown(*w.entry, w.worst->bound); });
   });
 }
@@ -140,7 +140,7 @@ const Quantities<RobustView>& robust_quantities() {
     q.record<judged_quantities>(
         "before", "result without corrections, computed with samples of the next seed", &R::before);
     q.record<judged_quantities>(
-        "after", "result with the corrections, computed with the same samples", &R::after);
+        "after", "result with the corrections, computed with samples of the next seed", &R::after);
   });
 }
 
@@ -171,7 +171,8 @@ const Quantities<ScatterView>& loosening_quantities() {
     q.number("percentile", "percentile", "", "the greatest of `percentiles`",
              [](const ScatterView& v) { return v.scatter->loosening->percent; });
     q.number("percentile_arcsec", "present percentile", "",
-             "percentile of the first replicate, whose samples are used for all rows",
+             "percentile for the samples of the first replicate; the effect of each tolerance is "
+             "computed with these samples",
              [](const ScatterView& v) {
                return Angle::radians(v.scatter->loosening->percentile).arcsec();
              });

@@ -13,7 +13,8 @@ bool computed(const D& d) { return d.scatter != nullptr; }
 
 void add_scattered_design(Quantities<D>& q) {
   q.add(Type::index, "design", "number of the design", "",
-        "rank of the design in the search; `search --take` with this number prints its spec",
+        "rank of the design in the search; `gearwright search SPEC --take N` with this number "
+        "prints the spec of the design",
         [](const D& d) { return static_cast<long long>(d.number); });
   q.term("module_mm", "", [](const D& d) { return d.design.row->trial.module; });
   q.term("teeth", "[z1, z2]; negative for an internal gear", [](const D& d) {

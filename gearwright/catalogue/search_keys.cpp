@@ -211,7 +211,8 @@ std::vector<Key> trial_keys() {
           .with_list(kBand)
           .with_form(std::string("a distance in mm") + kBandForm),
       Key::number("helix_angle_deg", "β", KeyRange::inside(-89, 89), {},
-                  "helix angle of `[gear1]`, otherwise 0; for crossed axes half the shaft angle",
+                  "helix angle of `[gear1]`; if it is absent, half the shaft angle for crossed "
+                  "axes, and 0 for parallel axes",
                   "helix angle of gear 1, or a closed band of helix angles")
           .with_list(kBand)
           .with_form(std::string("an angle") + kBandForm)
@@ -226,11 +227,11 @@ std::vector<Key> trial_keys() {
           .with_excludes({"helix_angle_deg"})
           .with_fields({"helix"}),
       Key::number("overlap_ratio", "ε_β", KeyRange::between(1, 20), {}, "",
-                  "whole overlap ratio, or a list of them. Each face width gets the helix angle "
-                  "with this overlap ratio, rounded up to 0.01°, so that the overlap ratio is at "
-                  "least the whole number and, from 5° on, exceeds it by at most 0.2 %. Angles "
-                  "outside of `helix_angle_deg` and angles below 1° are not tried. All widths of a "
-                  "band of face widths are tried")
+                  "whole overlap ratio, or a list of whole overlap ratios. Each face width gets "
+                  "the helix angle with this overlap ratio, rounded up to 0.01°, so that the "
+                  "overlap ratio is at least the whole number and, from 5° on, exceeds it by at "
+                  "most 0.2 %. Angles outside of `helix_angle_deg` and angles below 1° are not "
+                  "tried. All widths of a band of face widths are tried")
           .with_list({.most = kMostOverlaps, .single = true})
           .with_form("a whole number, or a list of whole numbers")
           .with_needs({"helix_angle_deg"})
@@ -243,11 +244,11 @@ std::vector<Key> trial_keys() {
                   KeyPlace::by<SearchProblem, double>(set_shaft_angle), "0",
                   "shaft angle of crossed axes, 0.1 to 178 with either sign, or 0 for parallel "
                   "axes; the helix angle of gear 2 is β2 = Σ − β1"),
-      Key::word(
-          "racks", {kSearchRacks.begin(), kSearchRacks.end()},
-          KeyPlace::by<SearchProblem, std::vector<std::size_t>>(set_racks),
-          "the racks of `[gear1]` and `[gear2]`, otherwise α_n = 20°, h_aP* = 1, h_fP* = 1.25",
-          "racks to try, each for both gears")
+      Key::word("racks", {kSearchRacks.begin(), kSearchRacks.end()},
+                KeyPlace::by<SearchProblem, std::vector<std::size_t>>(set_racks),
+                "the racks of `[gear1]` and `[gear2]`; if no rack is given, α_n = 20°, h_aP* = 1, "
+                "h_fP* = 1.25",
+                "racks to try, each for both gears")
           .with_list(KeyList{.most = kSearchRacks.size(), .noun = "rack"})
           .with_form("a list of names, [\"ISO53-A\", \"ISO53-C\"]")};
 }
@@ -269,7 +270,7 @@ std::vector<Key> limit_keys() {
                   KeyPlace::by<SearchProblem, double>([](SearchProblem& p, double depth) {
                     p.racks.front().undercut_depth = {depth, depth};
                   }),
-                  "h_fP* − ρ_fP*(1 − sin α_n) of the given rack, otherwise 1",
+                  "h_fP* − ρ_fP*(1 − sin α_n) of the given rack, or 1 if no rack is given",
                   "depth of the straight edge of the rack in modules, for example 1 for a rounded "
                   "tip and 1.25 for a sharp tip")
           .with_fields({"racks.undercut_depth"}),
@@ -284,10 +285,11 @@ std::vector<Key> limit_keys() {
       limit("overlap_ratio_min", "ε_β", KeyRange::between(0, 1000), &SearchLimits::overlap_ratio,
             "none", "least overlap ratio"),
       limit("sliding_max", "|ζ|", KeyRange::between(0, 1000), &SearchLimits::sliding,
-            "3 for drawn designs, otherwise no limit",
+            "3 for drawn designs; other designs have no limit",
             "greatest specific sliding at A and E; only for parallel axes"),
       limit("tip_clearance_min", "c", KeyRange::between(-1, 1), &SearchLimits::tip_clearance,
-            "0.1 for drawn designs, otherwise 0.02; no limit with `interference = \"flag\"`",
+            "0.1 for drawn designs, 0.02 for other designs; there is no limit if `interference = "
+            "\"flag\"`",
             "least tip clearance, in modules"),
       limit("form_clearance_min", "c_F", KeyRange::between(0, 1), &SearchLimits::form_clearance,
             "0.02, but 0 with `interference = \"flag\"`",
@@ -307,13 +309,13 @@ std::vector<Key> limit_keys() {
           "another form of `interference`; true means `\"exclude\"`, and false means `\"flag\"`")
           .with_fields({"limits.avoid_interference"}),
       limit("safety_flank_min", "S_Hmin", KeyRange::positive(), &SearchLimits::safety_flank,
-            "value of `[rating]` if designs are rated, otherwise no limit",
+            "value of `[rating]` if designs are rated; other designs have no limit",
             "least permitted safety against pitting of both gears at the profile shifts of the "
             "design, "
             "computed as in `rate` with `[rating]` and `[gearN.material]`")
           .with_also({"sh_min", "safety_flank"}),
       limit("safety_root_min", "S_Fmin", KeyRange::positive(), &SearchLimits::safety_root,
-            "value of `[rating]` if designs are rated, otherwise no limit",
+            "value of `[rating]` if designs are rated; other designs have no limit",
             "least permitted safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &SearchProblem::coprime, "false",
@@ -345,17 +347,17 @@ std::vector<Key> design_keys() {
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
-      Key::number(
-          "face_width_diameters", "b/d_1", KeyRange::between(0.01, 100),
-          &SearchProblem::face_diameters,
-          "[0.2, 1] if a safety is required and no other face width is given, otherwise no limit",
-          "face width as a multiple of the reference diameter of the pinion")
+      Key::number("face_width_diameters", "b/d_1", KeyRange::between(0.01, 100),
+                  &SearchProblem::face_diameters,
+                  "[0.2, 1] if a safety is required and no other face width is given; in all other "
+                  "cases, there is no limit",
+                  "face width as a multiple of the reference diameter of the pinion")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &SearchProblem::face_step, "1",
                     "step of the face width; face widths within a band are multiples of this step. "
-                    "The default is 0.05 in if the spec is in inch")
+                    "In a spec in inch, the default is 0.05 inch")
           .with_fields({"face_step"}),
       Key::text("thickness_series", KeyPlace::by<SearchProblem, std::string>(set_series),
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",
@@ -397,7 +399,8 @@ std::vector<Key> design_keys() {
       Key::number("target_ratio", "", {}, &SearchProblem::target_ratio,
                   "the middle of the band `ratio`", "target of the objective `ratio`"),
       Key::number("friction_coefficient", "μ", friction_range(), &SearchProblem::friction,
-                  "0.05 for the objective `efficiency`, otherwise no efficiency",
+                  "0.05 for the objective `efficiency`; for other objectives, the efficiency is "
+                  "computed only if the key is given",
                   "coefficient of friction of the flanks, for the efficiency")
           .with_also({"friction"}),
       Key::number(

@@ -161,9 +161,10 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
     setup.gears_[i] = std::make_shared<const Gear>(pair.gear(i + 1));
     const Gear& gear = setup.gear(i + 1);
     if (!gear.root_form_radius())
-      return Error{gear_field(i + 1), "",
-                   "has no usable flank; the warnings of gearwright gear give the reason",
-                   FailureKind::no_flank};
+      return Error{
+          gear_field(i + 1), "",
+          "has no usable flank; the command `gearwright gear` prints a warning with the reason",
+          FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
   }
   if (auto error = setup.make_fields(fields)) return *error;

@@ -27,8 +27,8 @@ constexpr bool is_slope(Modification m) {
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
-  /// Amounts of each gear. Slopes change the working flanks only, and crownings change both flanks.
-  /// Reliefs change only where the drawing has a relief.
+  /// Amounts of each gear. Slopes are added to the working flanks only, and all other amounts to
+  /// both flanks. An amount of a relief requires that the drawing has this relief.
   std::array<ModificationAmounts, 2> flank;
   bool left = false;  ///< true if the left flanks of gear 1 are the working flanks (gear 2 drives)
 };

@@ -33,7 +33,7 @@ std::optional<Error> check_request(const ContactRequest& request) {
   if (request.pitches < 1) return refused("contact.pitches", request.pitches, "must be at least 1");
   if (!(request.marking > 0.0))
     return refused("contact.marking", request.marking,
-                   "must be > 0 mm, because it is the thickness of the marking compound");
+                   "must be > 0 mm, because this value is the thickness of the marking compound");
   return std::nullopt;
 }
 

@@ -35,9 +35,10 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
   GW_EXPECTS(!any_modification({options.modifications[1].right, options.modifications[1].left}));
   const Gear& pinion = pair.pinion;
   if (!pinion.root_form_radius())
-    return Error{gear_field(1), "",
-                 "has no usable flank; the warnings of gearwright gear give the reason",
-                 FailureKind::no_flank};
+    return Error{
+        gear_field(1), "",
+        "has no usable flank; the command `gearwright gear` prints a warning with the reason",
+        FailureKind::no_flank};
   if (auto error = check_rack_errors(errors)) return *error;
   if (auto error = check_cutter_lead(pinion, 1, errors.cutter_lead[0])) return *error;
 

@@ -212,9 +212,9 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
 Result<Fit> fit(const FitProblem& p) {
   if (p.teeth[1] < 0 && p.shaft_angle && p.shaft_angle->rad() != 0.0) {
     return refused("pair.shaft_angle", p.shaft_angle->deg(),
-                   "must be 0, because gearwright fit supports internal pairs only on parallel "
-                   "axes. If helix angles and profile shifts are given, gearwright pair computes "
-                   "the centre distance at this angle");
+                   "must be 0, because the command `gearwright fit` supports internal pairs only "
+                   "on parallel axes. If helix angles and profile shifts are given, the command "
+                   "`gearwright pair` computes the centre distance at this angle");
   }
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];

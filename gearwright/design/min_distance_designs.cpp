@@ -218,8 +218,8 @@ std::optional<Error> contradiction(const FitProblem& p) {
   if (helix && shifts) return too_many(helix_field, "the two profile shifts");
   if (!(std::abs(p.shaft_angle->rad()) < std::numbers::pi - 3 * kMargin)) {
     return refused("pair.shaft_angle", p.shaft_angle->deg(),
-                   "no two helix angles give this shaft angle; it must lie between -179.7° and "
-                   "179.7°");
+                   "no two helix angles give this shaft angle; the shaft angle must lie between "
+                   "-179.7° and 179.7°");
   }
   return std::nullopt;
 }

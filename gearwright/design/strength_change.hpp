@@ -26,8 +26,8 @@ struct Knob {
   std::function<std::string(double)> show = [](double v) { return shown(v); };
 };
 
-/// Adds a limit that can be changed towards `far`. If the problem does not have this limit, the
-/// function does nothing.
+/// Appends one limit of the problem to `knobs`. The limit can be changed towards `far`. If the
+/// problem does not set this limit, `knobs` stays as it is.
 template <class Limit>
 void add_limit(const SearchProblem& problem, std::vector<Knob>& knobs, const char* field,
                Limit SearchLimits::*limit, double far, double scale = 1.0) {

@@ -131,8 +131,8 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
     if (off > kSamePlace)
       return refused(
           "drive.positions", given,
-          fmt::format("a planet cannot be assembled there; the possible positions are multiples of "
-                      "{}°, and the nearest of them is {}°",
+          fmt::format("a planet cannot be assembled at this position; the possible positions are "
+                      "multiples of {}°, and the nearest of them is {}°",
                       format_number(360.0 / static_cast<double>(places)),
                       format_number(degrees.front() + 360.0 * n / static_cast<double>(grid))));
     turns.push_back(Rational::of(static_cast<long long>(n), grid).frac());

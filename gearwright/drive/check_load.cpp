@@ -17,8 +17,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
   const DriveGraph& graph = drive.graph;
   if (graph.inputs.size() != 1 || drive.motion.freedom != 1)
     return not_loaded(
-        "does not apply to a drive with several inputs; fix all inputs except one, or extract one "
-        "mesh as a pair with drive --take");
+        "does not apply to a drive with several inputs; fix all inputs except one, or write one "
+        "mesh as a pair with the command `gearwright drive SPEC --take N`");
   if (!drive.motion.redundant.empty())
     return not_loaded(
         "does not apply to a drive with a closed loop of meshes, because the torques in the loop "
@@ -47,8 +47,9 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
           mesh.name);
     if (a.double_helical || b.double_helical)
       return not_loaded(
-          "does not apply to drives with double-helical gears; extract the mesh as a pair with "
-          "drive --take, and run gearwright load, which computes both halves",
+          "does not apply to drives with double-helical gears; write the mesh as a pair with the "
+          "command `gearwright drive SPEC --take N`; the command `gearwright load` computes both "
+          "halves of this pair",
           mesh.name);
     if (!drive.geometry.involutes(m))
       return not_loaded(

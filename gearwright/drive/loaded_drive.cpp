@@ -296,8 +296,8 @@ class DriveUnderLoad {
       if (!state.found)
         return errors.floating
                    ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
-                           "is not held in equilibrium by its planets; it needs at least three "
-                           "planets around it, or two opposite planets"}
+                           "is not held in equilibrium by its planets; at least three planets "
+                           "around this body, or two opposite planets, are needed"}
                    : not_loaded("at this torque, no equilibrium of the planets was found");
       turn.add(state, at);
       for (std::size_t f = 0; f < at.size() && ++at[f] == turn.positions(); ++f) at[f] = 0;

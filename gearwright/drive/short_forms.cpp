@@ -86,9 +86,9 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
                  "needs a sun, because an idler is between the sun and the planet"};
   if (has(M::planet2) && !has(M::sun2) && !has(M::ring2))
     return Error{"planetary.planet2", std::to_string(*spec.z(M::planet2)),
-                 "needs sun2 or ring2 to mesh with"};
+                 "needs sun2 or ring2, with which it meshes"};
   if (meshes_of(spec).empty())
-    return absent_input("planetary.ring", "; planets need a sun or a ring to mesh with");
+    return absent_input("planetary.ring", "; planets need a sun or a ring with which they mesh");
   for (const M m : kMembers) {
     if (!has(m) || is_ring(m) || *spec.z(m) > 0) continue;
     return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
@@ -423,7 +423,7 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
       return Error{speed ? "drive.speed" : "drive.torque",
                    format_number(speed ? own.speeds_rpm.front() : *own.torque_Nm),
                    fmt::format("must not be given for stage {}, because the first stage determines "
-                               "it; give it in the first stage",
+                               "this value; give the value in the first stage",
                                k + 1)};
     }
     append(made.graph, own, fmt::format("s{}_", k + 1), joined);

@@ -38,7 +38,9 @@ struct ContactScene {
   /// Peak-to-peak values of the continuous TE of the working flanks and of the non-working flanks.
   /// A value is missing if contact is lost or if the value was not computed.
   std::array<std::optional<Angle>, 2> span{};
-  std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
+  /// Suffix of the ids of figures. It is "-2" for the second half of a double-helical pair,
+  /// otherwise empty.
+  std::string part{};
 };
 
 /// Makes the scene of a pair whose contact was computed over one pitch.

@@ -19,10 +19,12 @@ struct LoadScene {
   std::array<const Gear*, 2> gears{};
   const ParallelPair* pair = nullptr;  ///< turns with the slider; null if teeth touch at points
   bool gear2_drives = false;
-  LoadedContact contact;  ///< positions evenly spaced over one pitch, from −½ pitch
-  std::vector<LoadStandard> standard;      ///< results of the standard at each torque; may be empty
+  LoadedContact contact;               ///< positions evenly spaced over one pitch, from −½ pitch
+  std::vector<LoadStandard> standard;  ///< results of the standard at each torque; may be empty
   std::optional<std::size_t> chosen = {};  ///< index of the shown torque; by default the greatest
-  std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
+  /// Suffix of the ids of figures. It is "-2" for the second half of a double-helical pair,
+  /// otherwise empty.
+  std::string part{};
   /// The halves of a double-helical pair at z > 0 and at z < 0, or only one half if they are
   /// mirror images. For such a pair, the other members describe the whole gears.
   std::vector<LoadScene> halves{};

@@ -24,7 +24,7 @@ struct DoubleHelical {
 
 /// End of the message for an absent face width.
 inline constexpr const char* kWholeFace =
-    "; for a double-helical gear it includes both halves and the gap";
+    "; for a double-helical gear, the face width includes both halves and the gap";
 /// The error if the gap leaves no face width for the halves. `face` is the whole face width, mm.
 ///
 /// Errors    `double_helical.gap`

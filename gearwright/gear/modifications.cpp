@@ -151,8 +151,8 @@ std::optional<Error> check_wave(const std::string& name, const FormWave& wave) {
   if (wave.waves < 0) return refused(name + ".waves", wave.waves, "must not be negative");
   if (wave.height >= 0.0) return std::nullopt;
   return refused(name + ".height", in_um(wave.height),
-                 "must not be negative, because it is the distance in µm from trough to crest; to "
-                 "move the crests, give another phase");
+                 "must not be negative, because this value is the distance in µm from trough to "
+                 "crest; to move the crests, give another phase");
 }
 
 std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {

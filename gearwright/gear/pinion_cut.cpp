@@ -185,8 +185,8 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   const double e = wanted.distance;
   if (!(e > r)) {
     return refused("cut_by", e, {r},
-                   "the generating centre distance is too small for a working pressure angle; it "
-                   "must be greater than {} mm");
+                   "the generating centre distance is too small for a working pressure angle; the "
+                   "distance must be greater than {} mm");
   }
   CylindricalSpec spec = cutter.spec;
   spec.teeth = wanted.teeth;

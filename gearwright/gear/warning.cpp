@@ -95,7 +95,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
     {C::saddle_gap, "saddle_gap", kCaution,
      "with an internal gear on crossed axes, the flanks overlap beside the line of action, so that "
-     "edges touch; the message gives the lead crowning that prevents this [T4.36]",
+     "edges touch; the message gives the lead crowning that prevents the overlap [T4.36]",
      "the flanks overlap beside the line of action"},
     {C::contact_below_form, "contact_below_form", kCaution,
      "on a gear without undercut, the mating gear's tip passes the end of the usable flank and "
@@ -111,7 +111,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "lower bound, and the root stress depends on the number of slices",
      "an edge carries load",
      "Give more tip relief and lead crowning; for spur and single-helical gears on parallel axes, "
-     "the verb propose computes them and shows their effect."},
+     "the command `gearwright propose` computes these modifications and shows their effect."},
     {C::edge_contact, "edge_contact", kCaution,
      "an edge is in contact; the message gives the share of the rotation with edge contact",
      "an edge touches"},
@@ -140,9 +140,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "d_a of an internal gear is less than d_b, so the involute does not reach the tip",
      "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
-     "the pinion of an internal pair can be mounted only axially [T2.28], but the mounted gears do "
-     "not collide; or a cutter, `cut_by`, removes the tips of an internal gear in radial infeed "
-     "[T6.18]",
+     "the pinion of an internal pair can be mounted only axially [T2.28], although the mounted "
+     "gears do not collide; or, in radial infeed, the cutter of an internal gear (`cut_by`) "
+     "removes the tips [T6.18]",
      "trimming interference in radial assembly or infeed", "", kGearUnnamed},
     {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
      "a small tip clearance"},
@@ -175,8 +175,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "corrections cannot be computed for this spec (verb `run`); the message gives the reason",
      "no corrections"},
     {C::no_strength, "no_strength", kCaution,
-     "the strength cannot be computed, because it needs the load along the teeth (verb `run`); the "
-     "message gives the reason",
+     "the strength cannot be computed, because the rating needs the load along the teeth (verb "
+     "`run`); the message gives the reason",
      "no strength"},
     {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
      "the contact ellipse extends beyond an end of the flank, and the pressure there is a lower "
@@ -205,7 +205,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "Leave out the pressure angle, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
      "the leads of circular-arc gears do not match, so their contacts are not computed",
-     "unequal leads", "The verb contact computes where the teeth touch."},
+     "unequal leads", "The command `gearwright contact` computes where the teeth touch."},
     {C::rating_contact_ratio, "rating_contact_ratio", kCaution,
      "the transverse contact ratio is outside 1 to 2.5, the range of ISO 6336",
      "a contact ratio that the standard does not cover"},
@@ -244,8 +244,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::tip_bulge, "tip_bulge", kNote,
      "the tip projects beyond the involute, because the flank of the cutter was too short; "
      "mating gears other than the cutter can collide with the projection; the message gives the "
-     "tip diameter that removes "
-     "it"},
+     "tip diameter that removes the projection"},
     {C::fillets_not_asked, "fillets_not_asked", kNote,
      "if the lead of the cutter is changed, contact of tips with circular root fillets, or with "
      "roots cut by a pinion cutter, is not checked (verb `contact`)"},
@@ -272,7 +271,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::inherited, "inherited", kNote,
      "gear 2 has no material or quality in the spec, so the value of gear 1 is used"},
     {C::profile_shifts_chosen, "profile_shifts_chosen", kNote,
-     "absent profile shifts are computed from the centre distance; the message gives them"},
+     "absent profile shifts are computed from the centre distance; the message gives these shifts"},
     {C::tip_fillet_cut_off, "tip_fillet_cut_off", kNote,
      "the blank ends the tooth before its circular tip fillet begins"},
     {C::no_chord, "no_chord", kNote,
@@ -298,8 +297,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::held_at_half_the_root, "held_at_half_the_root", kNote,
      "a gear has no bore, so the verb `load` holds its body at half the root diameter"},
     {C::held_at_rim_as_drawn, "held_at_rim_as_drawn", kNote,
-     "an internal gear has no rim diameter, so the verb `load` holds it at the rim diameter of its "
-     "CAD files"},
+     "the outside diameter of the rim of an internal gear is not given, so the verb `load` holds "
+     "the gear at the default diameter, which its CAD files also have"},
     {C::no_load, "no_load", kNote,
      "an analysis under load cannot be computed for these gears (verb `run`); the message gives "
      "the reason"},

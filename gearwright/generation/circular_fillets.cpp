@@ -96,8 +96,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const auto arc = root_fillet_at(flank, teeth, xi);
   if (!arc || !(arc->end > 0.0)) {
     return refused(field, root.offset, {ruler.l(most) - l_zero},
-                   "no circle centred in the tooth space touches the flank at this offset; it must "
-                   "be less than {} mm");
+                   "no circle centred in the tooth space touches the flank at this offset; the "
+                   "offset must be less than {} mm");
   }
   return CircularFillet{xi, *arc};
 }

@@ -115,8 +115,9 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
         ball, "a gear with a single tooth space has no opposite tooth space for the second ball");
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
-  // The spaces of an internal gear become wider towards the tip, so neither a ball that is too
-  // small nor one that is too large touches both flanks.
+  // seat_of() finds no seat if the ball would have to touch the flanks inside the base circle,
+  // where they have no involute. In the tooth space of an external gear, this happens if the ball
+  // is too small. In the tooth space of an internal gear, it happens if the ball is too large.
   if (!seat) {
     const bool small =
         !gear.internal() || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);

@@ -86,7 +86,7 @@ struct BallSizes {
   double ideal;   ///< mm, with contacts at usual_contact_diameter()
   double metric;  ///< mm, the nearest size (DIN 3977) that can be measured; if there is none, the
                   ///< nearest size
-  double inch;    ///< in, a ball size in steps of 1/64, 1/32 or 1/16 in
+  double inch;    ///< inch, a ball size in steps of 1/64, 1/32 or 1/16 inch
 };
 /// The ball sizes of a gear; none if no ball can be measured.
 std::optional<BallSizes> ball_sizes(const Gear& gear);

@@ -276,8 +276,9 @@ Identification detail::identify_readings(const IdentifyProblem& problem, LeaveOu
   if (found.empty() || (!fits && !answer.contradiction)) {
     answer.reason =
         found.empty() ? "no standard gear with this number of teeth has the measured size"
-        : several     ? "no standard gear matches these readings, even if one reading is left out"
-                      : "no standard gear matches this reading; check it and the number of teeth";
+        : several
+            ? "no standard gear matches these readings, even if one reading is left out"
+            : "no standard gear matches this reading; check the reading and the number of teeth";
   }
   answer.candidates = candidates_of(problem, found);
   answer.next = next_measurement(problem, answer.candidates);

@@ -34,9 +34,9 @@ struct RackPin {
 ///           (2) a thickness allowance E_sn changes M by E_sn/(2 tan α_n)
 std::optional<RackPin> pin_on_rack(const RackGeometry& rack, double diameter);
 
-/// The pin with RackBar::pin_diameter if it is given and can be measured. Otherwise the pin whose
-/// diameter is nearest to e_n/cos α_n among the sizes of DIN 3977 that can be measured. A pin of
-/// the diameter e_n/cos α_n touches at the datum line. None if no size can be measured.
+/// Returns the pin with RackBar::pin_diameter if this diameter is given and can be measured.
+/// Otherwise, returns the measurable size of DIN 3977 that is nearest to e_n/cos α_n, the diameter
+/// of a pin that touches at the datum line. None if no size can be measured.
 std::optional<RackPin> usual_pin(const RackGeometry& rack);
 
 }  // namespace gearwright

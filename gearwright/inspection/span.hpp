@@ -9,7 +9,7 @@
 // The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a
 // length along this tangent. Both contacts can be moved along the flanks together. The results are
 // for the symmetrical position. If both contacts lie on the usable flanks in any position, they
-// also do so in the symmetrical position.
+// also lie on the usable flanks in the symmetrical position.
 #pragma once
 
 #include <vector>

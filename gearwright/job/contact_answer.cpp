@@ -52,11 +52,11 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
   warnings.push_back(
       {WarningCode::fillet_contact,
        fmt::format("Under these errors, the tip of gear {0} and the root fillet of gear {1} touch "
-                   "{2:.4g} mm before the {3}flanks touch. {6}. The contact is at the rotation "
-                   "{4:.3f}° of gear 1 and on a diameter of {5:.4f} mm.{7}",
+                   "when the {3}flanks are still {2:.4g} mm apart. {6}. The contact is at the "
+                   "rotation {4:.3f}° of gear 1 and on a diameter of {5:.4f} mm.{7}",
                    3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
                    touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
-                   other ? "The backlash is reduced by this amount"
+                   other ? "The backlash is reduced by this distance of the flanks"
                          : "The flanks do not determine the transmission error at this position",
                    as_cut),
        touch.gear});

@@ -25,8 +25,9 @@ Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& fo
   const bool named = !options.only.empty();
   if (named && options.wants("drawing"))
     return Error{"drive", "",
-                 "has no drawing; gearwright drive SPEC --take N writes mesh N as a pair, and "
-                 "gearwright run draws the gears of this pair"};
+                 "has no drawing; to get drawings of the gears of mesh N, write this mesh as a "
+                 "pair with the command `gearwright drive SPEC --take N`, and use the command "
+                 "`gearwright run` with this pair"};
   std::vector<FileKind> kinds{FileKind::step, FileKind::glb, FileKind::threemf};
   if (named) kinds.push_back(FileKind::stl);
   if (named || (job.layout && job.layout->sections.size() == 1))

@@ -133,9 +133,11 @@ std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, cons
     if (std::find(shared.begin(), shared.end(), name) == shared.end())
       return Error{
           fmt::format("rating.mesh_load_factor.{}", printable(name, 40)), format_number(factor),
-          shared.empty() ? "is not used, because the drive has no meshes of several planets"
-                         : fmt::format("is not the name of a mesh of several planets; they are {}",
-                                       enumerated(shared))};
+          shared.empty()
+              ? "is not used, because the drive has no meshes of several planets"
+              : fmt::format(
+                    "is not the name of a mesh of several planets; the names of such meshes are {}",
+                    enumerated(shared))};
   return std::nullopt;
 }
 

@@ -24,10 +24,9 @@ std::optional<Error> not_for_drives(const JobSpec& spec) {
   for (const char* key :
        {"driver", "rotation1_deg", "deflection_slope_um", "deflection_bow_um", "probe"})
     if (spec.given.contains(std::string("load.") + key))
-      return Error{
-          std::string("load.") + key, "",
-          "applies to a pair; gearwright drive SPEC --take N writes mesh N of the drive as "
-          "a pair"};
+      return Error{std::string("load.") + key, "",
+                   "applies to a pair; the command `gearwright drive SPEC --take N` writes mesh N "
+                   "of the drive as a pair"};
   return std::nullopt;
 }
 

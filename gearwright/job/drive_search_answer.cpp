@@ -86,7 +86,7 @@ std::string advice(const FoundDrives& f) {
   }
   return fmt::format(
       "No drive has a green verdict. Try {}greater numbers of teeth, or give profile_shift or "
-      "another coaxial_teeth. The command gearwright drive shows why a given set has no green "
+      "another coaxial_teeth. The command `gearwright drive` shows why a given set has no green "
       "verdict.",
       f.problem.base.backlash.all ? "a smaller backlash_mm or " : "");
 }

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kMaxContact = 20.0;  // greater than that of any real pair
 constexpr const char* kChosen =
-    "cannot be combined with `fit.few_teeth` = true, which determines this value; leave it out";
+    "cannot be combined with `fit.few_teeth` = true, which determines this value; leave out this "
+    "key";
 
 std::string shown(double x) { return format_number(x); }
 std::string shown(Angle angle) { return format_number(angle.deg()); }
@@ -59,23 +60,24 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
                  "must equal the value of gear 1, which cuts gear 2"};
   if (wheel.helix_given)
     return Error{"gear2.helix_angle", shown(teeth.helix_angle),
-                 "is determined by gear 1; leave it out"};
+                 "is determined by gear 1; leave out this key"};
   if (wheel.face_width_given)
     return Error{"gear2.face_width", shown(teeth.face_width),
-                 "is always equal to the face width of gear 1; leave it out"};
+                 "is always equal to the face width of gear 1; leave out this key"};
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
     return Error{spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
                  spec.pair.shorten_tips ? "true" : "extended",
                  "cannot be combined with `fit.few_teeth` = true, which determines tips and centre "
-                 "distance; leave it out"};
+                 "distance; leave out this key"};
   if (const auto& alpha = spec.fit.working_normal_pressure_angle)
     return Error{"fit.working_normal_pressure_angle", shown(alpha),
                  "cannot be combined with `few_teeth` = true"};
   if (const auto& ratio = spec.fit.contact_ratio; ratio && *ratio > kMaxContact)
     return Error{"fit.contact_ratio", shown(ratio), fmt::format("must be at most {}", kMaxContact)};
   if (teeth.root_fillet)
-    return Error{"gear2.root_fillet", "",
-                 "is determined by the pinion, which cuts the root of the wheel; leave it out"};
+    return Error{
+        "gear2.root_fillet", "",
+        "is determined by the pinion, which cuts the root of the wheel; leave out this key"};
   if (wheel.profile_shift) return Error{"gear2.profile_shift", shown(wheel.profile_shift), kChosen};
   if (pinion.teeth < 0)
     return Error{"gear1.teeth", std::to_string(pinion.teeth),
@@ -149,7 +151,8 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
     auto error = body_error(gear, bore);
     if (!error) continue;
     error->rule +=
-        " of the design for this spec; if the bore is left out, gearwright fit prints the design";
+        " of the design for this spec; without this bore, the command `gearwright fit` prints the "
+        "design";
     return of_gear(which, *error);
   }
   return std::nullopt;

@@ -137,13 +137,12 @@ std::optional<Error> beyond(const SolvedJob& job) {
     if (!given) continue;
     if (halves)
       return Error{table, "",
-                   "is not supported for double-helical gears; if this table is left out, "
-                   "gearwright run writes the report and the files"};
-    return Error{
-        table, "",
-        "needs two gears, but gear 2 is a rack; without this table, gearwright run writes the "
-        "report and the files. For the verbs load and rate, a gear 2 with teeth = 200 can replace "
-        "a rack"};
+                   "is not supported for double-helical gears; without this table, the command "
+                   "`gearwright run` writes the report and the files"};
+    return Error{table, "",
+                 "needs two gears, but gear 2 is a rack; without this table, the command "
+                 "`gearwright run` writes the report and the files. For `gearwright load` and "
+                 "`gearwright rate`, a gear 2 with teeth = 200 can replace a rack"};
   }
   return std::nullopt;
 }

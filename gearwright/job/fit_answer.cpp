@@ -76,19 +76,22 @@ void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
 
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   if (auto error = two_gears_error(spec)) return *error;
-  if (!spec.gears[0]) return absent_input("gear1", "; the verb fit needs two gears");
+  if (!spec.gears[0])
+    return absent_input("gear1", "; the command `gearwright fit` needs two gears");
   for (const int which : {1, 2}) {
     if (!spec.has(which) || !has_arcs(spec.gear(which))) continue;
     return Error{gear_field(which, "rack"), "",
-                 "gearwright fit supports involute gears only, and these teeth are circular arcs"};
+                 "the command `gearwright fit` supports involute gears only, but the teeth of this "
+                 "gear are circular arcs"};
   }
-  if (!spec.gears[1]) return absent_input("gear2", "; the verb fit needs two gears");
+  if (!spec.gears[1])
+    return absent_input("gear2", "; the command `gearwright fit` needs two gears");
   if (spec.fit.few_teeth) return answer_few_teeth(spec, progress);
   for (const int i : {0, 1}) {
     if (!spec.gears[i]->cut_by) continue;
     return Error{gear_field(i + 1, "cut_by"), "",
-                 "must be left out, because gearwright fit chooses the cutter; the cutter is a "
-                 "rack or, if `fit.few_teeth` = true, the pinion"};
+                 "must be left out, because the command `gearwright fit` chooses the cutter; the "
+                 "cutter is a rack or, if `fit.few_teeth` = true, the pinion"};
   }
   if (auto error = unknown_module(spec)) return *error;
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
@@ -155,7 +158,7 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units) {
     names.push_back(fmt::format("branch {}", names.size() + 1));
     records.push_back(branch_quantities().of(b));
     if (b.refused)
-      rejected += fmt::format("  {} is rejected by the verb pair: {}\n", names.back(),
+      rejected += fmt::format("  {} is rejected by `gearwright pair`: {}\n", names.back(),
                               sentence_in(units, *b.refused));
   }
   return "\n" +

@@ -171,8 +171,8 @@ std::vector<Warning> unused_readings(const JobSpec& spec) {
   return {
       {WarningCode::not_read,
        "gear2.measured was not used, because this verb identifies one gear at a time, and these "
-       "candidates are for gear 1. To identify gear 2, run identify again with the spec of a "
-       "candidate: gearwright identify SPEC --take 1 | gearwright identify -",
+       "candidates are for gear 1. To identify gear 2 with candidate 1 as gear 1, use the command "
+       "`gearwright identify SPEC --take 1 | gearwright identify -`",
        2}};
 }
 
@@ -227,10 +227,10 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   const int which = spec.measured[0] || !spec.measured[1] ? 1 : 2;
   const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
   if (!problem)
-    return absent_input(
-        "gear1.measured",
-        "; gearwright identify needs the number of teeth of the unknown gear in [gear1], and "
-        "readings such as spans, dimensions over balls and diameters in [gear1.measured]");
+    return absent_input("gear1.measured",
+                        "; the command `gearwright identify` needs the number of teeth of the "
+                        "unknown gear in [gear1], and readings such as spans, dimensions over "
+                        "balls and diameters in [gear1.measured]");
   IdentifyProblem in_unit = *problem;
   if (spec.units() == UnitSystem::inch) in_unit.other_unit = 1 / kMmPerInch;
   auto found = identify(in_unit);

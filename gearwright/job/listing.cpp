@@ -43,8 +43,8 @@ std::string pair_interval_listing(const SolvedJob& job) {
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
          "\nValues with the thickest teeth and the least backlash\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {}) +
-         "  If another combination gives a value outside these two, the first list has the\n"
-         "  least value of all combinations, and the second list has the greatest value.\n";
+         "  If other combinations of the tolerances give smaller or greater values, the first\n"
+         "  list has the least value of all combinations, and the second list the greatest.\n";
 }
 
 }  // namespace
@@ -102,11 +102,11 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
   const std::string tips = between("tip diameters", one.tip_diameter, two.tip_diameter);
   const bool both = !allowances.empty() && !tips.empty();
   const char* const distance = allowances.empty() && tips.empty() ? "both centre distances" : "";
-  return fmt::format(
-             "\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "", tips,
-             distance,
-             both ? "  The values at other combinations lie between the two values of each row.\n"
-                  : "") +
+  return fmt::format("\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "",
+                     tips, distance,
+                     both ? "  The values at other combinations of the tolerances lie between the "
+                            "two values of a row.\n"
+                          : "") +
          quantity_listing(units, table, ends, {subject + " lower", subject + " upper"});
 }
 

@@ -168,8 +168,8 @@ std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best)
   if (!free || list[*free].worst.max_pressure <= best.worst.max_pressure) return "";
   const double pressure = list[*free].worst.max_pressure;
   return fmt::format(
-      " Proposal {} has no loaded edge at these limits, but its pressure without deviations is "
-      "{:.0f} % greater than in this proposal ({} N/mm²).",
+      " Proposal {} has no loaded edge at the limits of the helix slopes, but its pressure without "
+      "deviations is {:.0f} % greater than the pressure of this proposal ({} N/mm²).",
       *free + 1, 100 * (pressure / best.worst.max_pressure - 1),
       arrow(best.worst.max_pressure, pressure, 0));
 }
@@ -189,12 +189,12 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
       std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
       best == 0 ? std::string(
-                      "The spec as given is the best proposal. It is compared only with proposals "
-                      "that do not increase the transmission error.")
+                      "The spec as given is the best proposal. Only proposals that do not increase "
+                      "the transmission error are compared with the spec as given.")
       : !scored
           ? fmt::format(
-                "The spec as given has no result under this load. {}Among the proposals, this one "
-                "has the least sum of transmission error and pressure.",
+                "The spec as given has no result under this load. {}Of all proposals, this "
+                "proposal has the least sum of transmission error and pressure.",
                 edges)
           : fmt::format(
                 "{}This proposal has the least sum of transmission error ({}″) and pressure ({} "
@@ -225,7 +225,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
 
 std::string origin(const ProposeAnswer& a, std::size_t i) {
   if (i == 0) return "This is the spec as given.";
-  return fmt::format("Proposal {} of gearwright propose: {}.", i + 1, words_of(a.proposals[i]));
+  return fmt::format("Proposal {} of `gearwright propose`: {}.", i + 1, words_of(a.proposals[i]));
 }
 
 }  // namespace
@@ -351,7 +351,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     for (const std::string& remark : remarks) a.reason += " " + remark;
   if (job.spec.errors.any())
     a.reason +=
-        " No proposal corrects [errors] by a helix slope. The command gearwright compensate "
+        " No proposal corrects [errors] by a helix slope. The command `gearwright compensate` "
         "computes corrections of these errors.";
   for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
   job.warnings = jobs[a.recommended].warnings;

@@ -80,9 +80,9 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
       alpha = of_module;
     } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
       return bad(fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
-                 fmt::format("the base pitch of this rack differs from that of the gear; for the "
-                             "angle {:.9g}° the module must be {:.9g}\u00a0mm, or for the module "
-                             "{:.9g}\u00a0mm the angle must be {:.9g}°",
+                 fmt::format("the base pitch of this rack differs from the base pitch of the gear; "
+                             "for the angle {:.9g}° the module must be {:.9g}\u00a0mm, or for the "
+                             "module {:.9g}\u00a0mm the angle must be {:.9g}°",
                              deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
     }
   }

@@ -20,8 +20,8 @@ namespace {
 
 constexpr const char* kRunList = ".gearwright_files";
 constexpr const char* kHeading =
-    "Files written by the last gearwright run, with checksum, number of bytes and name. The next "
-    "run\nremoves each file of this list that it does not write again, unless the file was "
+    "Files written by the last run of gearwright, with checksum, number of bytes and name. The "
+    "next run\nremoves each file of this list that it does not write again, unless the file was "
     "changed.\n";
 
 struct Listed {

@@ -304,7 +304,7 @@ std::optional<Error> not_for_halves(const ScatterInput& input) {
         std::pair("gear2.pitch", input.gears[1].pitch)})
     if (given)
       return Error{fmt::format("scatter.{}", key), "",
-                   "is not supported for double-helical gears; leave it out"};
+                   "is not supported for double-helical gears; leave out this key"};
   return std::nullopt;
 }
 

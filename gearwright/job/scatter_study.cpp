@@ -102,14 +102,15 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
     return refused_list(
         given, "the folder has no search.json; name the --out folder of a finished search");
   if (path.extension() == ".parquet" || path.extension() == ".csv")
-    return refused_list(given,
-                        "name the folder of the search or its search.json instead; both list the "
-                        "designs in the order of `search --take`");
+    return refused_list(
+        given,
+        "name the folder of the search or its search.json instead, because the designs are then "
+        "numbered as for the command `gearwright search SPEC --take N`");
   const std::string text = text_of_file(path);
   const auto other = [&] {
     return refused_list(given,
-                        "is not the result of a search; name the folder of `search --out` or "
-                        "a file with the output of `search --json`");
+                        "is not the result of a search; name the folder of `gearwright search SPEC "
+                        "--out DIR` or a file with the output of `gearwright search SPEC --json`");
   };
   constexpr int kDeepest = 32;
   if (json_depth(text) > kDeepest) return other();
@@ -220,8 +221,9 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options) {
       list.push_back({static_cast<std::int64_t>(list.size()) + 1, row.trial.index});
   }
   if (list.empty())
-    return Error{"search", "",
-                 "no design is feasible; gearwright search names a change that would help"};
+    return Error{
+        "search", "",
+        "no design is feasible; the command `gearwright search` names a change that would help"};
   if (options.top && list.size() > *options.top) list.resize(*options.top);
   if (auto error = refused_study(spec, search, list, options)) return *error;
   StudyRun run;

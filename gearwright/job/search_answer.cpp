@@ -198,8 +198,9 @@ std::vector<Warning> search_warnings(const SearchRun& run) {
   }
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
-         "The table [rating] has no effect on this search. It is used only with safety_flank_min, "
-         "safety_root_min or one of the objectives safety, balance and noise in [search].");
+         "The table [rating] has no effect on this search. This table is used only with "
+         "safety_flank_min, safety_root_min or one of the objectives safety, balance and noise in "
+         "[search].");
   }
   if (!has_boundaries(run)) {
     warn(WarningCode::edges_left_out,
@@ -259,7 +260,7 @@ std::string drawing_line(const SearchProblem& problem) {
   if (!problem.draw) return {};
   const SearchAllowances& a = problem.allowances;
   std::string text = fmt::format(
-      "drawn and checked as by the verb run: mounting {}, {}",
+      "drawn and checked as by `gearwright run`: mounting {}, {}",
       problem.mounting == Mounting::tight ? "tight" : "extended",
       a.backlash ? fmt::format("backlash {:g} mm … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
       : a.series.empty() ? std::string("nominal teeth")

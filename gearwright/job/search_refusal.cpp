@@ -17,7 +17,8 @@ Error no_search() {
 
 Error no_tooth_numbers() {
   return {"search.ratio", "",
-          "no numbers of teeth within `pinion_teeth` give this ratio; widen one of the two bands"};
+          "no numbers of teeth within `pinion_teeth` give this ratio; widen the band of the ratio "
+          "or the band `pinion_teeth`"};
 }
 
 RegionDetail detail_of(const SearchProblem& problem, bool files) {

@@ -92,19 +92,19 @@ bool is_found_by_fit(const JobSpec& spec, const Error& error) {
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
-                        "; the spec contains readings of an unknown gear. The command gearwright "
-                        "identify with --take 1 writes a spec for this verb");
+                        "; the spec contains readings of an unknown gear. The command `gearwright "
+                        "identify SPEC --take 1` writes a spec for this verb");
   }
   if (spec.drive) {
     return Error{"", "",
                  "the spec describes a drive; use one of the verbs drive, rate, run and export. "
-                 "The command gearwright drive with --take 1 writes the spec of the first mesh for "
-                 "this verb"};
+                 "The command `gearwright drive SPEC --take 1` writes the spec of the first mesh "
+                 "for this verb"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
-                        "; the spec describes a search. The command gearwright search with --take "
-                        "1 writes a spec for this verb");
+                        "; the spec describes a search. The command `gearwright search SPEC --take "
+                        "1` writes a spec for this verb");
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
@@ -115,8 +115,8 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
     Error error = arranged.error();
     if (spec.has(2) && is_found_by_fit(spec, error))
       error.rule +=
-          "; some values of the spec are absent. The command gearwright fit with --take 1 computes "
-          "them and writes a spec for this verb";
+          "; some values of the spec are absent. The command `gearwright fit SPEC --take 1` "
+          "computes them and writes a spec for this verb";
     return error;
   }
   SolvedJob job{std::move(arranged).take(), spec};
@@ -157,9 +157,9 @@ std::optional<Error> two_gears_error(const JobSpec& spec) {
   return Error{
       "gear2.form", "rack",
       "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, outline, "
-      "export and run compute a rack and its pinion. For the verbs load and rate, a gear 2 with "
-      "teeth = 200 can replace the rack; docs/spec.md describes the bore, flank stress and life of "
-      "this gear"};
+      "export and run compute a rack and its pinion. For `gearwright load` and `gearwright rate`, "
+      "a gear 2 with teeth = 200 can replace the rack; docs/spec.md describes the bore, flank "
+      "stress and life of this gear"};
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {

@@ -42,7 +42,7 @@ constexpr StudyColumn kColumns[] = {
     {"center_distance_mm", "a", "/center_distance_mm", 4, 1, "mm", "centre distance"},
     {"face_width_mm", "", "/face_width_mm", -1, 1, "mm", ""},
     {"percentile_arcsec", "%", "/peak_to_peak_arcsec/percentiles/%", 4, 1, "″",
-     "ranking percentile of the peak-to-peak transmission error"},
+     "percentile of the peak-to-peak transmission error, by which the designs are ranked"},
     {"percentile_lower_arcsec", "from", "/peak_to_peak_arcsec/lower/%", 4, 1, "″",
      "lower end of the confidence interval of the percentile"},
     {"percentile_upper_arcsec", "to", "/peak_to_peak_arcsec/upper/%", 4, 1, "″",
@@ -183,8 +183,9 @@ std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t 
     text += fmt::format("  {}: {}\n", design_words(run.refused[i]),
                         run.refused[i]["reason"].get<std::string>());
   if (!run.designs.empty())
-    text += fmt::format("\nsearch with --take {} prints the spec of the best design.\n",
-                        run.designs[0]["design"].get<std::int64_t>());
+    text += fmt::format(
+        "\nThe command `gearwright search SPEC --take {}` prints the spec of the best design.\n",
+        run.designs[0]["design"].get<std::int64_t>());
   return text;
 }
 

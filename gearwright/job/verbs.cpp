@@ -312,8 +312,9 @@ constexpr Verb kVerbs[] = {
     {"propose",
      "Tip and root relief, helix crowning and slope for the load, and the effect of each proposal",
      "gearwright propose examples/quiet_pair.toml", SpecUse::propose, true, true, true,
-     Take::number, "Print only the spec of this proposal; 1 is the spec as given", run_propose,
-     "propose", table_of<propose_quantities>},
+     Take::number,
+     "Print only the spec of the proposal with this number; proposal 1 is the spec as given",
+     run_propose, "propose", table_of<propose_quantities>},
     {"scatter",
      "Effect of tolerances on the pair: percentiles, probabilities, influence of each tolerance, "
      "worst case",

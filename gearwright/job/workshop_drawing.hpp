@@ -27,8 +27,8 @@ struct WorkshopSheets {
 /// Returns the mass of a body of the job, kg, or none if its material has no density.
 std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody& body);
 
-/// Makes one sheet for each of these parts, which are 1 or 2. A part is a gear or a rack.
-/// `tolerance_mm` applies to the outlines.
+/// Makes one sheet for each gear or rack of the job whose number (1 or 2) is in `gears`.
+/// `tolerance_mm` is the greatest deviation of the drawn outlines.
 ///
 /// Errors    the errors of make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,

@@ -138,8 +138,8 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
   const Cause cause = cause_of(p, touch);
   return {
       cause.what, cause.gear, early, touch,
-      fmt::format("The {} and the {} touch {} before the flanks touch, {}, so the ratio is not "
-                  "constant there.{}",
+      fmt::format("The {0} and the {1} touch {3}, when the flanks are still {2} apart. In this "
+                  "position, the ratio is not constant.{4}",
                   part(touch, 1), part(touch, 2), length_text(early), at(touch), bulge(p, cause))};
 }
 

@@ -129,8 +129,8 @@ void find_faults(RackPair& p) {
   }
   if (p.stated_backlash().negative()) {
     warn(p, WarningCode::negative_backlash, 0,
-         fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. They are free "
-                     "of backlash at a centre distance of {} mm.",
+         fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. At a centre "
+                     "distance of {} mm, there is no backlash.",
                      p.normal_backlash(), format_number(p.backlash_free_center_distance)));
   }
   for (const int tip : {1, 2}) {

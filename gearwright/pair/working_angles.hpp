@@ -8,6 +8,7 @@
 //
 //   g, o   the gear with the greater |β_b|, and the other gear
 //   α      α_tg, the transverse pressure angle of g     C, S   cos β_b, sin β_b
+//   σ      +1 for an external pair, −1 for an internal pair
 //   Q, K, X, u, τ   as in pair/common_rack.hpp     L   distance of the base tangent points along n
 //                                              theory: docs/theory/04-conjugate-action.md
 //

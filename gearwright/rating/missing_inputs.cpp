@@ -47,8 +47,8 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
                           "arrangement of the pinion in `mounting` or a shaft with its bearings in "
                           "{}",
                           gear_field(1, "shaft"))
-            : "; give the factor, for example `face_load_factor` = 1.2; for double-helical "
-              "gears it cannot be computed from the arrangement of the pinion"));
+            : "; give the factor, for example `face_load_factor` = 1.2; for double-helical gears, "
+              "the factor cannot be computed from the arrangement of the pinion"));
   }
   return missing;
 }

@@ -253,7 +253,7 @@ void Rater::check_limits() {
     const double N_S = resonance_begin(specific_load());
     say(r.N->value > N_S && r.N->value <= 1.15 && !in.dynamic_factor, WarningCode::rating_resonance,
         fmt::format("The pinion runs in the main resonance of the mesh, N_S = {:.2f} < N = {:.2f} "
-                    "≤ 1.15; ISO 6336-1 requires a detailed analysis there.",
+                    "≤ 1.15; ISO 6336-1 requires a detailed analysis in this range.",
                     N_S, r.N->value));
   }
   say(!r.face.offset_in_range, WarningCode::rating_mounting,

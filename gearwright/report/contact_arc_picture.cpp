@@ -131,8 +131,8 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   f.x.hi += 0.12 * m;
   f.caption = fmt::format(
       ", with coincident pitch lines (dash-dotted). The arcs touch at M, where the angle of the "
-      "normal to the pitch line is {} = {}°. The centres O lie {} beyond the middle of the tooth "
-      "and {} below the pitch line.<br>{}<br>{}",
+      "normal to the pitch line is {} = {}°. The centres O lie {} beyond the middle of the tooth, "
+      "seen from M, and {} below the pitch line.<br>{}<br>{}",
       symbol_html("θ_0"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
       arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c));
   const double deep = 3.0 * m;

@@ -59,13 +59,13 @@ std::string page_head(std::string_view title, std::string_view version,
 struct ReportPage {
   std::string title, version;
   std::string kind;           ///< subject of the page, above the title
-  std::string verdict;        ///< below the title
+  std::string verdict;        ///< headline of the verdict, below the title
   std::string level{};        ///< level of the verdict, "green"; empty if there is none
-  std::string head{};         ///< after the verdict
-  std::string definitions{};  ///< of shapes
+  std::string head{};         ///< content of the header after the verdict
+  std::string definitions{};  ///< SVG definitions of the shapes
   std::string sections;
-  std::string spec;                  ///< the footer after the version, without the final </p>
-  std::string foot;                  ///< the footer after the version, without the final </p>
+  std::string spec;                  ///< the spec as given, plain text; omitted if empty
+  std::string foot;                  ///< text of the footer after the version
   std::string_view style{}, script;  ///< in addition to the style and the script of all pages
 };
 std::string page_html(const ReportPage& page);

@@ -281,7 +281,7 @@ std::string study_report(const StudyReport& report) {
                                 table_of(report) + "</section>\n" + refused_section(report),
                     .spec = report.spec_text,
                     .foot = "The teeth are rigid. The samples of every design are computed as by "
-                            "gearwright scatter.",
+                            "<code>gearwright scatter</code>.",
                     .style = search_style(),
                     .script = sort_script()});
 }

@@ -145,14 +145,14 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
     missing.push_back(absent_input(
         "load.torque_Nm", "; give a torque on gear 1 in N m, for example torque_Nm = 100"));
   if (use == SpecUse::scatter && !any_tolerance(spec))
-    missing.push_back(
-        absent_input("scatter.errors",
-                     "; the verb scatter needs a range for at least one number. Give crossing_deg "
-                     "= [-0.02, 0.02] in [scatter.errors], for example. Other possibilities are "
-                     "span_mm and radius_mm in [scatter.bearings], thickness_allowance_mm = "
-                     "[-0.02, 0.02] or modifications in [scatter.gear1], and a grade (quality = "
-                     "6). A table [scatter] without ranges is sufficient if the drawing has a "
-                     "tolerance, such as center_distance_tolerance = \"JS7\" in [pair]"));
+    missing.push_back(absent_input(
+        "scatter.errors",
+        "; the command `gearwright scatter` needs a range for at least one number. Give "
+        "crossing_deg = [-0.02, 0.02] in [scatter.errors], for example. Other possibilities are "
+        "span_mm and radius_mm in [scatter.bearings], thickness_allowance_mm = [-0.02, 0.02] or "
+        "modifications in [scatter.gear1], and a grade (quality = 6). A table [scatter] without "
+        "ranges is sufficient if the drawing has a tolerance, such as center_distance_tolerance = "
+        "\"JS7\" in [pair]"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

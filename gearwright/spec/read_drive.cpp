@@ -34,8 +34,8 @@ bool gives_band(const Json& node) {
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
   refuse_halves(node, path,
-                "is a key of a gear; gearwright drive SPEC --expand prints the set as [drive], in "
-                "which each gear can have this key");
+                "is a key of a gear; the command `gearwright drive SPEC --expand` prints the set "
+                "as [drive], in which each gear can have this key");
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
@@ -186,7 +186,7 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
   for (const auto& [path, stage] : list) {
     if (stage != list.front().second && stage->contains("power_kW"))
       TableReader(stage_keys(), *stage, path)
-          .fail("power_kW", "must not be given, because the first stage determines it");
+          .fail("power_kW", "must not be given, because the first stage determines this value");
     stages.push_back(read_stage(*stage, path, stage == list.back().second, folder));
   }
   return taken(train_of(stages), tree);

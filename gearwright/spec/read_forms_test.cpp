@@ -198,7 +198,7 @@ TEST(ReadForms, a_quantity_is_given_by_one_of_several_keys) {
   EXPECT_NEAR(of("transverse_module_mm = 2\nhelix_angle_deg = 60\n").normal_module, 1.0, 1e-15);
   EXPECT_EQ(refused_form(gear + "normal_module_mm = 2\nnormal_diametral_pitch_per_in = 10\n"),
             "gear1.normal_diametral_pitch_per_in = 10: contradicts normal_module_mm, because both "
-            "keys give the normal module; leave one of them out");
+            "keys give the normal module; leave out one of the two");
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ std::optional<double> read_helix(TableReader& t) {
   const auto of_lead = lead ? std::optional((90.0 - *lead) * sign) : std::nullopt;
   if (beta && of_lead && std::abs(*of_lead - *beta) > kSameInput * std::abs(*beta)) {
     t.fail("lead_angle_deg",
-           "contradicts helix_angle_deg, because both keys give the helix angle; leave one of them "
-           "out");
+           "contradicts helix_angle_deg, because both keys give the helix angle; leave out one of "
+           "the two");
   }
   const auto value = beta ? beta : of_lead;
   if (hand && value && *value != 0.0 && (*value > 0.0) != (*hand == "right")) {
@@ -45,7 +45,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
   const TableReader t(tolerance_keys(), *node, gear.name("tolerance"));
   const auto beside = gear.number("quality");
   if (beside && *g.tolerance.quality != *beside)
-    t.fail("quality", fmt::format("contradicts {} = {}; leave one of them out",
+    t.fail("quality", fmt::format("contradicts {} = {}; leave out one of the two",
                                   gear.name("quality"), *beside));
   const char* const given = g.tolerance.series       ? "thickness_series"
                             : g.tolerance.span       ? "span_mm"
@@ -53,7 +53,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                                                      : nullptr;
   if (given && gear.has("thickness_allowance_mm"))
     t.fail(given, fmt::format("cannot be combined with {}, because both keys give the tooth "
-                              "thickness; leave one of them out",
+                              "thickness; leave out one of the two",
                               gear.name("thickness_allowance_mm")));
 }
 
@@ -108,8 +108,9 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
     if (!given || std::abs(*given - value) <= kSameInput * std::max(1.0, std::abs(value))) return;
-    gear.fail(key, fmt::format("contradicts [{}], which gives the value {}; leave one of them out",
-                               gear.name("basic"), format_number(value, *given)));
+    gear.fail(key,
+              fmt::format("contradicts [{}], which gives the value {}; leave out one of the two",
+                          gear.name("basic"), format_number(value, *given)));
   };
   agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
          g.helix_given ? std::optional(g.cylindrical.helix_angle.deg()) : std::nullopt,
@@ -261,7 +262,7 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   if (total && g.profile_shift) {
     gear.fail("profile_shift_pair",
               "cannot be combined with profile_shift, because both keys determine the depth of the "
-              "cutter; leave one of them out");
+              "cutter; leave out one of the two");
   }
   g.cut_by = std::move(cut);
 }

@@ -46,7 +46,8 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   const auto b = t.numbers("helix_angle_deg");
   const auto step = t.number("helix_step_deg");
   const auto list = t.numbers("helix_angles_deg");
-  if (b && list) t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave one of them out");
+  if (b && list)
+    t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave out one of the two");
   std::vector<double> degrees{of_gear_deg};
   if (list) degrees = *list;
   if (b) {
@@ -146,7 +147,7 @@ void read_limits(TableReader& t, SearchProblem& p) {
   const bool word = t.given("interference");
   const bool avoid = t.boolean("avoid_interference").value_or(true);
   if (word && t.given("avoid_interference") && l.avoid_interference != avoid)
-    t.fail("avoid_interference", "contradicts interference; leave one of them out");
+    t.fail("avoid_interference", "contradicts interference; leave out one of the two");
   if (!word) l.avoid_interference = avoid;
   l.clear_fillets = l.avoid_interference;
   if (l.avoid_interference) {
@@ -233,7 +234,7 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
 void complete_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
   const bool list = t.given("racks");
   if (list && (blanks[0].rack || blanks[1].rack))
-    t.fail("racks", "contradicts the rack of a gear; leave one of them out");
+    t.fail("racks", "contradicts the rack of a gear; leave out one of the two");
   std::optional<double> depth;
   if (t.given("undercut_depth")) depth = p.racks.front().undercut_depth[0];
   const double alpha = p.normal_pressure_angle.rad();
@@ -290,7 +291,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
     p.face_width = {*blanks[0].face_mm, *blanks[0].face_mm};
   const auto single = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
   if (single(p.face_width) && single(p.face_modules))
-    t.fail("face_width_modules", "contradicts face_width_mm; leave one of them out");
+    t.fail("face_width_modules", "contradicts face_width_mm; leave out one of the two");
   read_overlaps(t, p);
   // An internal pair has negative backlash at the extended centre distance, so its default
   // mounting is tight.

@@ -155,7 +155,7 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   if (problem.shift_step)
     t.fail(by,
            "cannot be combined with shift_step, because the points of its grid are not rated; "
-           "leave one of them out");
+           "leave out one of the two");
   SearchRating wanted;
   wanted.input = rating.input;
   wanted.power_kW = rating.power;

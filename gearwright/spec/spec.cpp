@@ -50,7 +50,7 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
       if (!tree[gear].contains(other)) continue;
       if (other == std::string("tolerance") && !says_thickness(tree[gear][other])) continue;
       t.fail(key, fmt::format("cannot be combined with {}.{}, because both determine the tooth "
-                              "thickness; leave one of them out",
+                              "thickness; leave out one of the two",
                               gear, other));
     }
   }
@@ -115,8 +115,8 @@ Error missing_module(const Json& tree) {
     return it != of.end() && it->is_number() ? it->get<double>() : 0.0;
   };
   std::string hint =
-      "or, if it is unknown, give readings in [gear1.measured], from which the verb identify "
-      "computes it";
+      "or, if it is unknown, give readings in [gear1.measured], from which the command `gearwright "
+      "identify` computes the module";
   const double a = number("pair", "center_distance_mm");
   const double z1 = number("gear1", "teeth"), z2 = number("gear2", "teeth");
   if (a > 0.0 && z1 != 0.0 && z2 != 0.0 && z1 + z2 != 0.0 &&
@@ -124,9 +124,8 @@ Error missing_module(const Json& tree) {
     const double beta = Angle::degrees(number("gear1", "helix_angle_deg")).rad();
     hint = fmt::format(
         "for these teeth without profile shift at the centre distance of {} mm, normal_module_mm "
-        "is {:.6g}. The "
-        "verb search finds standard modules with profile shifts for center_distance_mm and ratio "
-        "in [search]",
+        "is {:.6g}. The command `gearwright search` finds standard modules with profile shifts for "
+        "center_distance_mm and ratio in [search]",
         format_number(a), 2 * a * std::cos(beta) / std::abs(z1 + z2));
   }
   return absent_input(

@@ -82,7 +82,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool key(std::string& name) override {
     if (!open_.back().keys.insert(name).second)
       throw SpecError{
-          {printable(name, 60), "", "occurs twice in one table; leave one of them out"}};
+          {printable(name, 60), "", "occurs twice in one table; leave out one of the two"}};
     open_.back().key = name;
     return true;
   }

@@ -244,8 +244,9 @@ std::optional<double> TableReader::number_in_any_way(const Key& key) {
     const KeyAlias& alias = entry(way).alias;
     const double here = alias.value ? alias.value(*given, cos_beta_) : *given;
     if (value && std::abs(here - *value) > kSameInput * std::abs(*value))
-      fail(way, fmt::format("contradicts {}, because both keys give the {}; leave one of them out",
-                            first, quantity));
+      fail(way,
+           fmt::format("contradicts {}, because both keys give the {}; leave out one of the two",
+                       first, quantity));
     if (value) continue;
     value = here;
     first = way;

@@ -83,7 +83,7 @@ class SpecInMm {
       if (is_one_of(kMixed, file))
         fail_at(file, value,
                 "is not supported in a spec with units = \"inch\", because it applies to "
-                "corrections in different units; leave it out, or give a spec in mm");
+                "corrections in different units; leave out this key, or give a spec in mm");
       const KeyUnit* const own = declared_inch(key);
       const KeyUnit* const named = named_unit(from, key, inch_unit);
       const KeyUnit* const inner = own                        ? own

@@ -66,19 +66,19 @@ std::optional<Error> check_joint(const ArcRack& rack) {
                                format_number(rack.center_b)));
   }
   if (is_F(rack) && !(s < 1.0)) {
-    return refused(
-        "rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
-        "the whole arc of the flank lies below this depth; the dedendum must be greater than {}");
+    return refused("rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
+                   "the whole arc of the flank lies deeper than this dedendum; the dedendum must "
+                   "be greater than {}");
   }
   if (!is_F(rack) && !(s > 0.0)) {
     return refused("rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
-                   "the whole arc of the flank lies deeper than this rounding; the radius must be "
-                   "less than {}");
+                   "the whole arc of the flank lies deeper than the tip rounding with this radius; "
+                   "the radius must be less than {}");
   }
   if (!is_F(rack) && !(s < 1.0)) {
-    return refused(
-        "rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
-        "the whole arc of the flank lies above this depth; the dedendum must be less than {}");
+    return refused("rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
+                   "the whole arc of the flank lies less deep than this dedendum; the dedendum "
+                   "must be less than {}");
   }
   return std::nullopt;
 }
@@ -161,7 +161,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
                          "does not fit into the tip of the cutter; the greatest possible radius "
                          "(full radius) is {}")
                : refused("rack.dedendum", rack.dedendum,
-                         "the tooth of the cutter becomes pointed before it reaches this depth");
+                         "the tooth of the cutter becomes pointed before it reaches this dedendum");
   }
   if (rack.pressure_angle) {
     const auto [lo, hi] = std::minmax({flank.begin.rad(), flank.end.rad()});

@@ -122,7 +122,7 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
                                                        (r.concave_radius + d.concave_offset))) -
                            r.concave_height;
     return refused("rack.dedendum", r.dedendum, {deepest},
-                   "the tooth of the cutter becomes pointed before it reaches this depth; the "
+                   "the tooth of the cutter becomes pointed before it reaches this dedendum; the "
                    "dedendum must be less than {}");
   }
   return d;

@@ -5,7 +5,8 @@
 //   α            pressure angle at the contact with the mating gear
 //   ρ_a, ρ_f     radii of the convex arc in the addendum and of the concave arc in the dedendum
 //   x_a, x_f     heights of the centres of these arcs above the datum line
-//   l_a          distance of the convex arc's centre beyond the middle of the tooth
+//   l_a          distance of the convex arc's centre from the middle of the tooth, > 0 if the
+//                centre and the arc are on opposite sides of the middle
 //   e_f          width of the space at the contact point of the concave arc
 //   h_ja, h_jf   height of the upper end of the step, depth of its lower end
 //

@@ -62,7 +62,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
     if (rack.tip_fillet_radius > 0.0) {
       return refused("rack.semi_topping_angle", a,
                      "cannot be combined with `tip_fillet_radius`, because the bottom of the "
-                     "cutter has either a ramp or a rounding; leave one of them out");
+                     "cutter has either a ramp or a rounding; leave out one of the two");
     }
     if (!rack.tool_addendum) {
       return refused(
@@ -159,7 +159,7 @@ std::optional<Error> EdgeMaker::set_rounding() {
     const double deepest = (std::numbers::pi / 4 * c_ + rack_.protuberance) / s_;
     return refused("rack.dedendum", rack_.dedendum, {deepest},
                    fmt::format("the tooth of the cutter becomes pointed before it reaches this "
-                               "depth; the limit at α_n = {}° is {{}}",
+                               "dedendum; at α_n = {}°, the greatest dedendum is {{}}",
                                format_number(angle_.deg())));
   }
   rho_ = rack_.root_fillet_radius;
@@ -251,8 +251,8 @@ std::optional<Error> EdgeMaker::add_flank() {
   if (y_end_ < 0.0) {
     return refused("rack.tool_addendum", edge_.flank_end_height / m_,
                    {std::numbers::pi / 4 / std::tan(alpha_)},
-                   "the two flanks of the tooth space of the cutter meet below this height; at "
-                   "most {} is allowed");
+                   "the two flanks of the tooth space of the cutter meet below this height above "
+                   "the datum line; the height must be at most {}");
   }
   return std::nullopt;
 }

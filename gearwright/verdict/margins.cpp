@@ -140,7 +140,7 @@ std::string rating_remedy(const JudgedRating& rating) {
     const double step = digits == 1 ? 10.0 : 1.0;
     text = fmt::format("{:.{}f} mm more face width", std::ceil(more * step) / step, digits);
   }
-  if (steel) text += (text.empty() ? "" : ", or ") + *steel;
+  if (steel) text += (text.empty() ? "The steel " : ", or the steel ") + *steel;
   if (!text.empty()) return text + " would be sufficient.";
   if (fixed) return "No other steel in the list would be sufficient on its own.";
   text = fmt::format(

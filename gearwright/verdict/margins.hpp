@@ -20,8 +20,8 @@ std::vector<Finding> backlash_findings(const StatedBacklash& j);
 std::vector<Finding> contact_findings(const PatternPlace& place);
 
 /// A sentence with the changes that raise all safety factors to their required values, for example
-/// "6 mm more face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the
-/// sentence states the greatest permissible torque.
+/// "6 mm more face width, or the steel 17CrNiMo6 would be sufficient." If no single change is
+/// sufficient, the sentence states the greatest permissible torque.
 std::string rating_remedy(const JudgedRating& rating);
 
 /// One finding for each safety factor below its requirement: red if it is below 1, otherwise amber.

@@ -58,8 +58,8 @@ std::string backlash_words(const StatedBacklash& j) {
 
 std::string running(const ArcPair& pair) {
   if (pair.contacts.empty())
-    return "The gears do not have matching leads. The command gearwright contact computes where "
-           "they touch.";
+    return "The gears do not have matching leads. The command `gearwright contact` computes where "
+           "the teeth touch.";
   return fmt::format(
       "The pair runs with continuous contact (overlap ratio {:.5f}), with {} per tooth and {}.",
       pair.overlap_ratio,

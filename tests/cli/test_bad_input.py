@@ -136,7 +136,7 @@ class BadInput(unittest.TestCase):
     def test_racks(self):
         rack = GEAR + "[gear1.rack]\n"
         self.refused(rack + "root_fillet_radius = 0.9", "gear1.rack.root_fillet_radius", "greatest", verb="gear")
-        self.refused(rack + "dedendum = 9", "gear1.rack.dedendum", "the limit at", verb="gear")
+        self.refused(rack + "dedendum = 9", "gear1.rack.dedendum", "the greatest dedendum is", verb="gear")
         self.refused(rack + "semi_topping_angle_deg = 45", "gear1.rack.semi_topping_angle_deg", "tool_addendum", verb="gear")
         self.refused(rack + "protuberance = 0.1\nprotuberance_angle_deg = 25", "gear1.rack.protuberance_angle_deg", verb="gear")
         self.refused(GEAR + "rack = \"ISO53-E\"", "gear1.rack", "ISO53-A", verb="gear")

@@ -392,7 +392,7 @@ class Contact(unittest.TestCase):
         near = told(84, errors + "-0.1")
         # There is one warning about the working flanks and one about the non-working flanks.
         self.assertEqual([w["gear"] for w in near], [1, 1])
-        self.assertIn("the tip of gear 2 and the root fillet of gear 1 touch 0.01965 mm before the flanks touch", near[0]["message"])
+        self.assertIn("the tip of gear 2 and the root fillet of gear 1 touch when the flanks are still 0.01965 mm apart", near[0]["message"])
         self.assertIn("non-working", near[1]["message"])
         # With 640 positions, only every tenth is checked. These are the same positions as without the key,
         # so the warnings are the same.

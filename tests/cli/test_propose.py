@@ -42,7 +42,7 @@ class Propose(unittest.TestCase):
             taken = propose("--take", str(number), gear1=graded)
             self.assertEqual(taken.status, 0, taken.err)
             if number > 1:
-                self.assertIn(f"# Proposal {number} of gearwright propose", taken.out)
+                self.assertIn(f"# Proposal {number} of `gearwright propose`", taken.out)
             torque = Run("load", taken.out, "--json").json["load"]["torques"][0]
             score = found["proposals"][number - 1]["under_load"][0]["score"]
             for key in ("peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"):

@@ -88,7 +88,7 @@ class Stop(unittest.TestCase):
                 if "refused" in b:
                     marked += 1
                     self.assertTrue(pair_run.err.strip().endswith(": " + b["refused"]), pair_run.err)
-                    self.assertIn("rejected by the verb pair: ", Run("fit", wish.format(distance)).out)
+                    self.assertIn("rejected by `gearwright pair`: ", Run("fit", wish.format(distance)).out)
         self.assertGreater(marked, 0)
 
 

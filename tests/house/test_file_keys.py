@@ -7,7 +7,7 @@ The catalogue converts these names to keys. String literals of these rooms must 
     table   the header of a table, "[gear1" or "[pair]", or the words table, key, spec file, TOML
     gear    a path that begins with gear1. or gear2. (gear/gear.hpp composes these paths)
     tick    a member between backticks that belongs to no key, so that no interface can convert it; the name of a
-            verb, "verb `run`", is permitted
+            verb, "verb `run`", and a command, "`gearwright drive SPEC --take N`", are permitted
 
 Each rule is first tested with a snippet that violates it.
 """
@@ -31,7 +31,7 @@ TABLE = re.compile(r"\[(?:gear\d?|pair|fit|search|errors|contact|compensate)\b|\
                    r"\bspec file\b|\bTOML\b|\bthe key\b|\bkeys\b")
 GEAR = re.compile(r"\bgear[12]\.")
 TICK = re.compile(r"`([^`]*)`")
-VERB = re.compile(r"\bverb `\w+`")
+VERB = re.compile(r"\bverb `\w+`|`gearwright [a-z]+[^`]*`")
 
 
 def schema_keys():
@@ -114,7 +114,7 @@ def self_test(unit_keys, known):
         assert any(expected in fault for fault in faults), f"blind to: {text}: {faults}"
     sound = '''#include "gearwright/gear/gear.hpp"
 // the key gear1.tip_diameter_mm of a table
-f("the verb `run`");
+f("the verb `run`, the command `gearwright drive SPEC --take N`");
 f("rack.dedendum", "`pair.center_distance` or `gear2.cut_by`", "a stable gear 1. Table", '"', "the ring is gear 2");
 '''
     assert check("gearwright/gear/a.cpp", sound, unit_keys, known) == [], check("a", sound, unit_keys, known)

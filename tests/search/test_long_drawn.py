@@ -161,7 +161,7 @@ class Listed(Drawn):
     def test_files(self):
         run = Run("search", drawn(helix_step_deg=6), "--out", "found", "--chunk", 5000, folder=folder())
         self.assertEqual(run.status, 0, run.err)
-        for words in ("drawn and checked as by the verb run: mounting tight, thickness series cd25, -1 <= x <= 1, |ζ| <= 3",
+        for words in ("drawn and checked as by `gearwright run`: mounting tight, thickness series cd25, -1 <= x <= 1, |ζ| <= 3",
                       "face width 10 mm to 120 mm (the least sufficient width)", "j_n mm"):
             self.assertIn(words, " ".join(run.out.split()))
         head = (run.folder / "found/best.csv").read_text().splitlines()[0].split(",")

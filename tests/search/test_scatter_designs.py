@@ -197,7 +197,7 @@ class ScatterDesigns(unittest.TestCase):
         self.assertEqual(study(where, "--designs", "missing.json").status, 3)
         self.no(where, 2, None, "--out", args=("--shard", "1/2"))
         self.no(where, 2, None, "1 <= i <= N", args=("--shard", "3/2", "--out", "o"))
-        self.no(where, 2, None, "search --take N", args=("--take",))
+        self.no(where, 2, None, "gearwright search SPEC --take N", args=("--take",))
         other = folder(spec(SEARCH | {"modules_mm": [1.5]}, after=TOLERANCES.format("")))
         shutil.copytree(self.where / "found", other / "found")
         self.no(other, 1, "--designs", "another search", args=("--designs", "found"))

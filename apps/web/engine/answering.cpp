@@ -22,7 +22,7 @@ Error too_long(std::size_t bytes) {
   return {"", "", fmt::format("the spec has {} bytes; at most {} are allowed", bytes, kMaxSpec)};
 }
 
-// Runs the whole search, as in the program.
+// Runs the whole search, as the command-line program does.
 Result<Answered> searched(const JobSpec& spec) {
   if (!spec.search) return no_search();
   const Search search(*spec.search);

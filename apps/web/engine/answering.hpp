@@ -21,7 +21,8 @@ Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 inline constexpr std::string_view kInPage =
     "an interactive session, such as the page, which has its own switch for lengths in inch";
 
-/// Returns {"error": …} with the keys of the spec and the line, as in the program.
+/// Returns the JSON {"error": …} that the command-line program prints for this error. It names the
+/// keys that the spec contains and, if `text` is given, the line and column of the wrong key.
 std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});
 

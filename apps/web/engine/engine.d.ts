@@ -298,7 +298,7 @@ export interface MeshView {
   frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, or the path of contact
   width: number; // px, width of the figure
   height: number;
-  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null: as for `frame`
+  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null for the window that belongs to `frame`
   bodies: boolean; // true to draw only the bodies of the gears
   name: string; // name of the picture and its shapes, unique in the page
 }
@@ -367,8 +367,7 @@ export interface Session {
   contactCurve(positions: number): ContactCurve | Failed;
   /** Figures of the transmission error, of its spectrum and of both flanks. A figure without data is omitted. */
   contactFigures(view: ContactView): Figure[] | Failed;
-  /** The contact at one position, as an object with the keys of contact.positions. If no teeth touch,
-   *  `kind` is "none". */
+  /** The contact at one position, with the keys of contact.positions. If no teeth touch, `kind` is "none". */
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
   /** The gap on the flank of gear 1 at one position, for tooth pair k (`tooth` of a position). */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;

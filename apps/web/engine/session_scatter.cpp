@@ -15,8 +15,8 @@ namespace gearwright::web {
 namespace {
 
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
-// Samples of each replicate in the first complete analysis, and greatest numbers of samples of each
-// replicate and of replicates.
+// The first complete analysis has kFirstSamples samples in each replicate. No analysis has more
+// than kMostSamples samples in a replicate, or more than kMostReplicates replicates.
 constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;
 constexpr int kPatterns = 32;        // samples of the density of patterns
 constexpr double kLongestMs = 1000;  // longest expected time of an analysis with twice the samples

@@ -20,7 +20,7 @@
 
 namespace gearwright::web {
 
-using Numbers = std::vector<double>;  ///< kNoNumber is a missing value
+using Numbers = std::vector<double>;  ///< kNoNumber stands for a missing value
 
 /// The kind of typed array that a row becomes in JavaScript. It is stored as the subtype of the
 /// binary data of the row.
