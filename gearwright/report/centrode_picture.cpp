@@ -11,7 +11,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCentrodeWidth = 520.0;
 constexpr double kCentrodeAspect = 520.0 / 400.0;
 constexpr double kMinShift = 0.02;  // m_n; a smaller |a − a_d| is not visible
 
@@ -55,7 +54,7 @@ Figure with_axes(const std::string& id, const std::string& title, const std::str
 // The text is beside the dimension, because the pitch circles pass through the space between the
 // points.
 void add_dimension(Figure& f, double x_1, double x_2, double length) {
-  const double unit = (f.x.hi - f.x.lo) / kCentrodeWidth;  // mm per px
+  const double unit = (f.x.hi - f.x.lo) / kPlaneFigure;  // mm per px
   const auto [lo, hi] = std::minmax(x_1, x_2);
   const double y = -60.0 * unit;
   for (const double x : {lo, hi}) f.line({Vec2(x, 0.0), Vec2(x, y - 6.0 * unit)}, "leader");
@@ -119,7 +118,7 @@ std::string centrode_figures(const InvolutePair& pair, const FigureForm& form) {
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));
   return "<h3>Centrodes</h3>\n" +
-         side_by_side(form.html(before, kCentrodeWidth) + form.html(after, kCentrodeWidth));
+         side_by_side(form.html(before, kPlaneFigure) + form.html(after, kPlaneFigure));
 }
 
 }  // namespace gearwright

@@ -10,20 +10,20 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/drive_figures.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
+constexpr double kSectionEdge = 12.0;  // px, margin of a section
 constexpr double kLeastWidth = 320.0;  // px, of a section that is taller than it is wide
 constexpr double kBarRadii = 8.0;      // tip radii of the pinion, the most of a rack that is shown
-constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;  // width, px, and height over width
-constexpr double kPhaseModules = 6.5;    // modules, size of the area in a picture of a phase
+constexpr double kPhaseTall = 0.82;    // height over width of a picture of a phase
+constexpr double kPhaseModules = 6.5;  // modules, size of the area in a picture of a phase
 constexpr double kTeethPerSecond = 1.2;  // in the fastest mesh while the picture turns
 constexpr int kSliderSteps = 240;        // number of positions of the slider
 
@@ -56,8 +56,8 @@ class Pictures {
         all.cover(about + reach);
       }
     }
-    const double px = all.size().maxCoeff() / (kSectionWidth - 2 * kSectionEdge);  // mm per px
-    width_ = std::clamp(all.size().x() / px + 2 * kSectionEdge, kLeastWidth, kSectionWidth);
+    const double px = all.size().maxCoeff() / (kWideFigure - 2 * kSectionEdge);  // mm per px
+    width_ = std::clamp(all.size().x() / px + 2 * kSectionEdge, kLeastWidth, kWideFigure);
     const Vec2 half(width_ / 2 * px, all.size().y() / 2 + kSectionEdge * px);
     const Vec2 middle = (all.lo + all.hi) / 2;
     window_ = {middle - half, middle + half};
@@ -312,7 +312,7 @@ class Pictures {
         add_gear(f, i, height, at, upright, ratio(gear.body) - carried);
       }
     }
-    return figure_html(f, kPhaseWidth);
+    return figure_html(f, kSmallFigure);
   }
 
   static std::string resultants(const PlanetSet& set) {
