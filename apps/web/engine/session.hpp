@@ -84,7 +84,7 @@ class Session : public std::enable_shared_from_this<Session> {
   /// The pose of a gear as a column-major 4×4 matrix, as three.js requires.
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
-  Result<ContactCurve> contact_curve(int positions);
+  Result<Json> contact_curve(int positions);
   /// Figures of the transmission error, the spectrum, and both flanks at one position. A figure
   /// without data is omitted.
   Result<Json> contact_figures(const ContactView& view);
