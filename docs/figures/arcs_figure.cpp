@@ -43,11 +43,12 @@ Drawing arcs_figure() {
   concave.center_b = convex.center_b + 0.15 * std::sin(psi);
   const auto pair =
       mount_arcs(gear_of_arcs(12, 15, convex), gear_of_arcs(94, -15, concave), std::nullopt);
-  f.label({20, 24}, "normal section, both racks at the reference distance", Anchor::start,
-          Vec2::Zero(), "small");
-  f.label({20, 360}, "gear 1, cut by F", Anchor::start, Vec2::Zero(), "g1 small");
-  f.label({420, 360}, "gear 2, cut by P", Anchor::end, Vec2::Zero(), "g2 small");
-  f.add(arc_contact_figures(*pair).front(), {10, 40}, 420);
+  Figure racks = arc_contact_figures(*pair).front();
+  racks.text({-kInfinity, kInfinity}, "normal section, both racks at the reference distance",
+             Anchor::start, "halo", {10, 20});
+  racks.text({-kInfinity, -kInfinity}, "gear 1, cut by F", Anchor::start, "halo g1", {10, -12});
+  racks.text({kInfinity, kInfinity}, "gear 2, cut by P", Anchor::end, "halo g2", {-10, 44});
+  f.add(racks, {10, 40}, 420);
 
   // Right: θ over ΔC, exactly and to first order, for a module of 12.7 mm.
   const WorkingArc v = convex_arcs(pair->gears[0]).front();

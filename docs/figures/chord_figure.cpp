@@ -21,31 +21,33 @@ Drawing chord_figure() {
   const double theta_t = 0.6;
   const double theta = shortest_chord_half_angle(theta_t, std::tan(psi) * std::tan(psi));
   const double zeta = (theta_t - theta) / std::tan(psi);
-  const double scale = 195;  // px per radius
-  const auto px = [&](double angle, double height) {
-    return Vec2(200 + scale * angle, 255 - scale * height);
-  };
-  // The helices rise to the left, so the end of the chord on the right flank is the higher one.
   const double reach = 0.56;
+  Figure tooth = plane_figure("tooth", "The tooth on its cylinder, unrolled",
+                              "Both flanks of a tooth on the unrolled cylinder, and the chord.",
+                              window({0.02, 0.03}, {405, 500}, 195));
+  // The helices rise to the left, so the end of the chord on the right flank is the higher one.
   for (const double side : {1.0, -1.0}) {
-    std::vector<Vec2> flank;
-    for (const double h : {-reach, reach})
-      flank.push_back(px(side * theta_t - h * std::tan(psi), h));
-    f.svg().polyline(flank, "g1 thick");
+    const Vec2 foot(side * theta_t, 0), top(-reach * std::tan(psi), reach);
+    tooth.line({foot - top, foot + top}, "curve g1");
   }
-  f.svg().line(px(-0.82, 0), px(0.82, 0), "soft dashdot thin");
-  f.svg().line(px(0, -0.7), px(0, 0.7), "soft dashdot thin");
-  f.arrow(px(-theta_t, 0), px(theta_t, 0), "soft", true);
-  f.arrow(px(-theta, -zeta), px(theta, zeta), "action thick", true);
-  f.label(px(theta_t, 0), "{θ_t}", Anchor::start, {8, -6}, "halo");
-  f.label(px(theta, zeta), "({θ*}, {ζ*})", Anchor::start, {8, -4}, "action halo");
-  f.label(px(-theta, -zeta), "(−{θ*}, −{ζ*})", Anchor::end, {-6, 18}, "action halo");
-  f.label(px(0.55 * theta, 0.55 * zeta), "shortest chord", Anchor::end, {-10, -12}, "action halo");
-  f.label({200, 40}, "the tooth on its cylinder, unrolled", Anchor::middle, Vec2::Zero(), "small");
-  f.label(px(-0.82, 0), "polar angle, rad", Anchor::start, {0, -8}, "soft small halo");
-  f.label(px(0, -0.7), "height, in radii", Anchor::start, {8, -2}, "soft small halo");
-  f.label(px(-reach * std::tan(psi) + theta_t, reach), "flank, {ψ} = 35.26°", Anchor::middle,
-          {0, -10}, "g1 small halo");
+  tooth.line({{-0.82, 0}, {0.82, 0}}, "thin dashdot");
+  tooth.line({{0, -0.7}, {0, 0.7}}, "thin dashdot");
+  add_arrow(tooth, {{-theta_t, 0}, {theta_t, 0}}, "thin", true);
+  add_arrow(tooth, {{-theta, -zeta}, {theta, zeta}}, "curve action-curve", true);
+  const auto label = [&](const Vec2& at, const char* words, Anchor anchor, const Vec2& offset,
+                         const char* style = "halo here") {
+    tooth.text(at, markup(words), anchor, style, offset);
+  };
+  label({theta_t, 0}, "{θ_t}", Anchor::start, {8, -6}, "halo");
+  label({theta, zeta}, "({θ*}, {ζ*})", Anchor::start, {8, -4});
+  label({-theta, -zeta}, "(−{θ*}, −{ζ*})", Anchor::end, {-6, 18});
+  label({0.55 * theta, 0.55 * zeta}, "shortest chord", Anchor::end, {-10, -12});
+  label({0, kInfinity}, "the tooth on its cylinder, unrolled", Anchor::middle, {0, 30}, "halo");
+  label({-0.82, 0}, "polar angle, rad", Anchor::start, {0, -8}, "tick halo");
+  label({0, -0.7}, "height, in radii", Anchor::start, {8, -2}, "tick halo");
+  label({theta_t - reach * std::tan(psi), reach}, "flank, {ψ} = 35.26°", Anchor::middle, {0, -10},
+        "halo g1");
+  f.add(tooth, {0, 0}, 405);
 
   // Right: relative errors of the chord.
   Figure errors{"errors",
@@ -88,8 +90,8 @@ Drawing chord_figure() {
   errors.text({0.067, 9e-6}, "virtual gear [T5.14]", Anchor::start, "halo g2");
   errors.text({0.054, 2e-8}, "1 correction; dashed: virtual gear [T5.13]", Anchor::start,
               "halo g1");
-  errors.text({0.23, 6e-7}, "2 corrections", Anchor::end, "halo action");
-  errors.text({0.18, 5e-11}, "3 corrections [T5.9]", Anchor::start, "halo green");
+  errors.text({0.23, 6e-7}, "2 corrections", Anchor::end, "halo here");
+  errors.text({0.18, 5e-11}, "3 corrections [T5.9]", Anchor::start, "halo edge-c");
   f.add(errors, {410, 0}, 450);
   return f;
 }

@@ -34,18 +34,20 @@ Drawing few_teeth_figure() {
   const auto wheel = make_pinion_cut_gear(pinion, cut);
 
   const auto pair = mount_as<ParallelPair>(pinion, *wheel, {.center_distance = *distance});
-  f.label({14, 24}, "both circles are centred on a normal of the flank", Anchor::start,
-          Vec2::Zero(), "small");
   Figure left = root_plot(pinion, "pinion", "Pinion");
   left.definitions = gear_definition(pinion, "pinion") + gear_definition(*wheel, "wheel");
-  f.add(left, {0, 40}, 480);
+  left.y.hi += 0.1 * (left.y.hi - left.y.lo);
+  left.tall *= 1.1;
+  left.text({-kInfinity, kInfinity}, "both circles are centred on a normal of the flank",
+            Anchor::start, "halo", {14, 24});
+  f.add(left, {0, 0}, 480);
 
   // Right: the mesh without backlash, seen along the axes.
-  f.svg().line({490, 16}, {490, 484}, "rule");
-  f.label({504, 24}, "2 : 60 teeth, module 1.75 mm, β = 30°, x = 0.7, −1.4", Anchor::start,
-          Vec2::Zero(), "small");
   const MeshScene scene = mesh_scene(*pair, {"pinion", "wheel"});
-  f.add(mesh_figure(scene, mesh_window(scene, MeshFrame::mesh, 0.8)), {495, 40}, 360);
+  Figure right = mesh_figure(scene, mesh_window(scene, MeshFrame::mesh, 0.8));
+  right.text({-kInfinity, kInfinity}, "2 : 60 teeth, module 1.75 mm, β = 30°, x = 0.7, −1.4",
+             Anchor::start, "tick halo", {10, 24});
+  f.add(right, {495, 20}, 360);
   return f;
 }
 

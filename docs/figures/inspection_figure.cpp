@@ -1,7 +1,6 @@
 // Page 10: a span over four teeth as a length on the base tangent, and a ball in a space. The
 // centre of the ball is the point where the parallel curves of both involutes intersect.
 #include <cmath>
-#include <numbers>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/inspection/balls.hpp"
@@ -13,8 +12,8 @@ namespace {
 
 constexpr double kScale = 9.2;  // px/mm
 
-// Returns the involute of the flank on the side `hand` of the tooth turned by `turned`, from roll
-// angle a to b. It is moved outward along its normal by `off`.
+// Returns the involute of the flank on the side `hand` of the tooth whose centre line has the polar
+// angle `turned`, from roll angle a to b. It is moved outward along its normal by `off`.
 std::vector<Vec2> involute_points(const Gear& gear, int hand, double turned, double off, double a,
                                   double b) {
   const double r_b = gear.base_radius();
@@ -28,53 +27,60 @@ std::vector<Vec2> involute_points(const Gear& gear, int hand, double turned, dou
   return points;
 }
 
-void draw_span(Drawing& f, const Gear& gear, const Viewport& view) {
+Figure span_figure(const Gear& gear) {
   const Span span = *usual_span(gear);
   const double r_b = gear.base_radius(), half = span.length / 2;
-  const double pitch = 2 * std::numbers::pi / gear.spec.teeth;
+  const double pitch = 2 * kPi / gear.spec.teeth;
+  Figure f = plane_figure("span", "A span", "Two anvils over four teeth.",
+                          window({0, r_b}, {480, 470}, kScale));
   // The middle of the group of teeth between the anvils points up.
-  f.shape(view, teeth(gear, -2, span.teeth + 1, -(span.teeth - 1) * pitch / 2, 0.002), "body1");
-  f.circle(view, {0, 0}, r_b, "green dash");
-  f.circle(view, {0, 0}, span.contact_diameter / 2, "ink dashdot");
-  for (const double side : {-1.0, 1.0}) {
-    f.line(view, {{r_b - 9, side * half}, {r_b + 11, side * half}}, "ink heavy");
-    f.dot(view, {r_b, side * half}, "fill-action", 4.5);
+  add_gear(f, gear, "span-gear", "body outline g1", Vec2::Zero(),
+           kHalfPi - (span.teeth - 1) * pitch / 2);
+  f.circle(Vec2::Zero(), r_b, "thin dash", -1);
+  f.circle(Vec2::Zero(), span.contact_diameter / 2, "thin dashdot", -1);
+  for (const double x : {-half, half}) {
+    f.line({{x, r_b - 9}, {x, r_b + 11}}, "curve ink bold");
+    f.dot({x, r_b}, 4.5, "mark action-dot");
   }
-  f.line(view, {{r_b, -half}, {r_b, half}}, "action thick");
-  const Vec2 up = view.px({r_b + 10, 0});
-  f.arrow(view.px({r_b + 10, half}), view.px({r_b + 10, -half}), "ink", true);
-  f.label(up, "{W_k}, k = " + std::to_string(span.teeth), Anchor::middle, {0, -8}, "bold halo");
-  f.label(view.px({r_b, 0}), "base tangent", Anchor::middle, {0, 18}, "action halo");
-  f.label(view.px({r_b, -half}), "{d_M}", Anchor::start, {10, 5}, "halo");
-  f.label(view.px(polar(r_b, -0.62)), "{d_b}", Anchor::start, {6, 10}, "green halo");
+  f.line({{-half, r_b}, {half, r_b}}, "curve action-curve");
+  add_arrow(f, {{-half, r_b + 10}, {half, r_b + 10}}, "one", true);
+  f.text({0, r_b + 10}, markup("{W_k}, k = " + std::to_string(span.teeth)), Anchor::middle,
+         "letter halo", {0, -8});
+  f.text({0, r_b}, "base tangent", Anchor::middle, "halo here", {0, 18});
+  f.text({half, r_b}, markup("{d_M}"), Anchor::start, "halo", {10, 5});
+  f.text(polar(r_b, kHalfPi - 0.3), markup("{d_b}"), Anchor::start, "halo", {6, 10});
+  return f;
 }
 
-void draw_ball(Drawing& f, const Gear& gear, const Viewport& view) {
-  const double pitch = 2 * std::numbers::pi / gear.spec.teeth;
+Figure ball_figure(const Gear& gear) {
+  const double pitch = 2 * kPi / gear.spec.teeth;
   const auto ball = ball_in_space(gear, ball_sizes(gear)->ideal);
   const BallSeat& seat = *ball;
-  f.shape(view, teeth(gear, -1, 0, pitch / 2, 0.002), "body1");
-  const double r_K = seat.center_diameter / 2, r = seat.ball_diameter / 2;
-  f.circle(view, {0, 0}, gear.base_radius(), "green dash");
-  f.circle(view, {0, 0}, r_K, "ink dashdot");
-  f.circle(view, {r_K, 0}, r, "ink thick");
-  const double end = std::tan(seat.center_pressure_angle) + 0.18;
+  const double r_K = seat.center_diameter / 2, r = seat.ball_diameter / 2, r_b = gear.base_radius();
+  Figure f = plane_figure("ball", "A ball", "A ball in a space.",
+                          window({0, gear.reference_diameter / 2 + 1.8}, {420, 470}, 2.9 * kScale));
+  add_gear(f, gear, "ball-gear", "body outline g1", Vec2::Zero(), kHalfPi + pitch / 2);
+  f.circle(Vec2::Zero(), r_b, "thin dash", -1);
+  f.circle(Vec2::Zero(), r_K, "thin dashdot", -1);
+  const Vec2 center(0, r_K);
+  f.circle(center, r, "one", -1);
+  const double alpha = seat.center_pressure_angle, end = std::tan(alpha) + 0.18;
   for (const int hand : {1, -1}) {
-    f.line(view, involute_points(gear, hand, -hand * pitch / 2, 0, 0.05, end), "g1 heavy");
-    f.line(view, involute_points(gear, hand, -hand * pitch / 2, r, 0.15, end), "action dash");
+    const double tooth = kHalfPi - hand * pitch / 2;
+    f.line(involute_points(gear, hand, tooth, 0, 0.05, end), "curve g1");
+    f.line(involute_points(gear, hand, tooth, r, 0.15, end), "action-line");
     // The point of contact lies on the normal through the ball's centre, which is tangent to the
     // base circle.
-    const double alpha = seat.center_pressure_angle;
-    const Vec2 foot = polar(gear.base_radius(), hand * alpha);
-    const Vec2 center{r_K, 0};
-    const Vec2 contact = center + (foot - center).normalized() * r;
-    f.line(view, {center, foot}, "action thin");
-    f.dot(view, contact, "fill-action", 4.5);
+    const Vec2 foot = polar(r_b, kHalfPi + hand * alpha);
+    f.line({center, foot}, "curve action-curve fine");
+    f.dot(center + (foot - center).normalized() * r, 4.5, "mark action-dot");
   }
-  f.dot(view, {r_K, 0}, "fill-action", 4.5);
-  f.label(view.px({r_K, 0}), "{d_K}", Anchor::start, {12, -8}, "halo");
-  f.label(view.px({r_K + r, 0}), "{D_M}", Anchor::middle, {0, -8}, "bold halo");
-  f.label(view.px(polar(gear.base_radius(), -0.2)), "{d_b}", Anchor::start, {8, 12}, "green halo");
+  f.dot(center, 4.5, "mark action-dot");
+  f.text(center, markup("{d_K}"), Anchor::start, "halo", {12, -8});
+  f.text({0, r_K + r}, markup("{D_M}"), Anchor::middle, "letter halo", {0, -8});
+  f.text(polar(r_b, kHalfPi - 0.13), markup("{d_b}"), Anchor::start, "halo", {8, 12});
+  f.text({kInfinity, -kInfinity}, "24 teeth, x = 0.4", Anchor::end, "tick halo", {-14, -10});
+  return f;
 }
 
 }  // namespace
@@ -90,16 +96,8 @@ Drawing inspection_figure() {
   spec.profile_shift = 0.4;
   spec.face_width = 20;
   const Gear gear = gear_of(spec);
-  const double middle = gear.base_radius() + 2;
-  const Viewport left{900, 470, {middle - 2, -22.8}, kScale, true};
-  const Viewport right{900, 470, {gear.reference_diameter / 2 + 1.8, 8.7}, 2.9 * kScale, true};
-  f.svg().begin_clip(0, 0, 480, 470);
-  draw_span(f, gear, left);
-  f.svg().end_group();
-  f.svg().begin_clip(480, 0, 420, 470);
-  draw_ball(f, gear, right);
-  f.svg().end_group();
-  f.label({886, 460}, "24 teeth, x = 0.4", Anchor::end, Vec2::Zero(), "soft small halo");
+  f.add(span_figure(gear), {0, 0}, 480);
+  f.add(ball_figure(gear), {480, 0}, 420);
   return f;
 }
 

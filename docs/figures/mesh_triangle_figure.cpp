@@ -1,7 +1,6 @@
 // Page 2: the mesh triangle. The figure shows two base circles, their common tangent and the path
 // of contact on it. The teeth are in contact at a point between B and C.
 #include <cmath>
-#include <numbers>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/figure/gear_shape.hpp"
@@ -41,25 +40,19 @@ Drawing mesh_triangle_figure() {
                             const char* style, const char* radius) {
     mesh.line({center, tangent}, style);
     mesh.text(0.5 * (center + tangent), markup(radius), Anchor::end, "halo", {-8, -4});
-    std::vector<Vec2> angle;
-    for (int i = 0; i <= 12; ++i) angle.push_back(center + polar(24, turned + alpha * i / 12));
-    mesh.line(std::move(angle), "one");
+    mesh.line(arc_points(center, 24, turned, turned + alpha), "one");
     mesh.text(center + polar(30, turned + alpha / 2), markup("{α_wt}"), Anchor::middle, "halo",
               {0, 4});
   };
   triangle(o_1, t_1, 0, "curve g1", "{r_b1}");
-  triangle(o_2, t_2, std::numbers::pi, "curve g2", "{r_b2}");
+  triangle(o_2, t_2, kPi, "curve g2", "{r_b2}");
 
   // The dimension N is parallel to the line of action, and a is parallel to the centre line.
   const auto dimension = [&](const Vec2& from, const Vec2& to, const Vec2& aside,
                              const char* words) {
-    const Vec2 between = 0.5 * (from + to) + aside;
-    for (const Vec2& end : {from, to}) {
-      mesh.line({end, end + 1.04 * aside}, "thin");
-      mesh.line({between, end + aside}, "thin");
-      mesh.marks.back().head = true;
-    }
-    mesh.text(between, markup(words), Anchor::start, "halo", {8, -7});
+    for (const Vec2& end : {from, to}) mesh.line({end, end + 1.04 * aside}, "thin");
+    add_arrow(mesh, {from + aside, to + aside}, "thin", true);
+    mesh.text(0.5 * (from + to) + aside, markup(words), Anchor::start, "halo", {8, -7});
   };
   dimension(t_1, t_2, 17.6 * Vec2(std::cos(alpha), std::sin(alpha)), "{N} = {a} sin {α_wt}");
   dimension(o_1, o_2, {0, -66}, "{a}");

@@ -1,7 +1,6 @@
 // Page 11: the geometry of a strength rating. Left: the critical section of a tooth and its load,
 // with the values that the rating uses. Right: the life curves of flank and root.
 #include <cmath>
-#include <numbers>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -12,7 +11,7 @@ namespace gearwright::figures {
 
 namespace {
 
-void draw_section(Drawing& f) {
+Figure section_figure() {
   CylindricalSpec spec;
   spec.teeth = 20;
   spec.normal_module = 10;
@@ -22,8 +21,10 @@ void draw_section(Drawing& f) {
   const auto mounted = mount(gear, gear);
   const auto pair = rated_pair(*mounted);
   const CriticalSection s = critical_section(*pair, pair->gears[0]).value();
-  const Viewport view{430, 470, {102, 0}, 9.5, true};
-  f.shape(view, teeth(gear, 0, 0, 0, 0.01), "body1 g1");
+  Figure f = plane_figure("section", "Critical section",
+                          "A tooth with the tangents at 30 degrees and the load on it.",
+                          window({0, 102}, {430, 470}, 9.5));
+  add_gear(f, gear, "gear", "body outline g1", Vec2::Zero(), kHalfPi);
   // The line of the load intersects the centre line of the tooth at α_Fen, h_F above the section.
   const double r_b = gear.base_radius();
   const double apex = r_b / std::cos(s.alpha_Fen);
@@ -33,29 +34,28 @@ void draw_section(Drawing& f) {
   const double psi =
       tooth_thickness_transverse(20, 2 * r_b, gear.reference().base_tooth_thickness, s.d_en) /
       s.d_en;
-  const Vec2 e = polar(r_e, psi);
-  const Vec2 meets(apex, 0);
-  const Vec2 along = (meets - e).normalized();
-  f.line(view, {Vec2(84, 0), Vec2(124, 0)}, "soft dashdot thin");
-  f.line(view, {Vec2(chord, -half), Vec2(chord, half)}, "g2 thick");
+  const Vec2 e = polar(r_e, kHalfPi + psi);
+  const Vec2 meets(0, apex);
+  f.line({{0, 84}, {0, 124}}, "thin dashdot");
+  f.line({{half, chord}, {-half, chord}}, "curve g2");
   for (const double side : {1.0, -1.0}) {
-    const Vec2 touch(chord, side * half);
-    const Vec2 up(std::cos(std::numbers::pi / 6), -side * std::sin(std::numbers::pi / 6));
-    f.line(view, {touch - 6 * up, touch + 14 * up}, "g2 dash");
-    f.dot(view, touch, "fill-g2");
+    const Vec2 touch(-side * half, chord);
+    const Vec2 up(side * std::sin(kPi / 6), std::cos(kPi / 6));
+    f.line({touch - 6 * up, touch + 14 * up}, "thin g2 dash");
+    f.dot(touch, 3.5, "mark g2");
   }
-  f.arrow(view.px(e - 12 * along), view.px(e), "action thick");
-  f.line(view, {e, meets}, "action dash");
-  f.dot(view, e, "fill-action");
-  f.arrow(view.px({chord, -13}), view.px({apex, -13}), "soft", true);
-  f.line(view, {meets, Vec2(apex, -14.5)}, "soft thin");
-  f.line(view, {Vec2(chord, -half), Vec2(chord, -14.5)}, "soft thin");
-  f.label(view.px({(chord + apex) / 2, -13}), "{h_F}", Anchor::start, {8, 4}, "halo");
-  f.label(view.px({chord, 0}), "{s_Fn}", Anchor::middle, {14, 18}, "g2 halo");
-  f.label(view.px({chord + 12 * std::cos(std::numbers::pi / 6), half - 6}), "30°", Anchor::end,
-          {-10, 0}, "g2 small halo");
-  f.label(view.px(e), "outer point of single contact, {d_en}", Anchor::middle, {-30, -56},
-          "action small halo");
+  add_arrow(f, {e - 12 * (meets - e).normalized(), e}, "curve action-curve");
+  f.line({e, meets}, "action-line");
+  f.dot(e, 3.5, "mark action-dot");
+  add_arrow(f, {{13, chord}, {13, apex}}, "thin", true);
+  f.line({meets, {14.5, apex}}, "thin");
+  f.line({{half, chord}, {14.5, chord}}, "thin");
+  f.text({13, (chord + apex) / 2}, markup("{h_F}"), Anchor::start, "halo", {8, 4});
+  f.text({0, chord}, markup("{s_Fn}"), Anchor::middle, "halo g2", {14, 18});
+  f.text({6 - half, chord + 12 * std::cos(kPi / 6)}, "30°", Anchor::end, "halo g2", {-10, 0});
+  f.text(e, markup("outer point of single contact, {d_en}"), Anchor::middle, "halo here",
+         {-30, -56});
+  return f;
 }
 
 Figure lives() {
@@ -97,7 +97,7 @@ Drawing rating_figure() {
   Drawing f("11-rating", 860, 480, "Critical section and life factors",
             "Left, a tooth with the tangents at 30 degrees that determine its critical section, "
             "and the load on it. Right, the life factors of flank and root over the load cycles.");
-  draw_section(f);
+  f.add(section_figure(), {0, 0}, 430);
   f.add(lives(), {430, 0}, 430);
   return f;
 }

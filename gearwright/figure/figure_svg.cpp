@@ -271,7 +271,7 @@ class Writer {
         const char* const shown = m.kind == Kind::area ? "value" : "name";
         svg_.path(d + end, m.style,
                   inside + (name.empty() ? "" : fmt::format(" data-{}=\"{}\"", shown, name)));
-        if (m.head) head(px(m.points.back()), px(m.points[m.points.size() - 2]), m.gear);
+        if (m.head) head(m);
         break;
       }
       case Kind::bar: {
@@ -298,11 +298,15 @@ class Writer {
     }
   }
 
-  void head(const Vec2& tip, const Vec2& from, int gear) {
+  void head(const FigureMark& m) {
+    const Vec2 tip = px(m.points.back()), from = px(m.points[m.points.size() - 2]);
     const Vec2 along = (tip - from).normalized(), across = 4.0 * Vec2(-along.y(), along.x());
     const Vec2 back = tip - 9.0 * along;
+    const bool action = m.style.find("action") != std::string::npos;
     svg_.polygon({tip, back + across, back - across},
-                 gear < 0 ? "mark" : std::string("head ") + kInk[static_cast<std::size_t>(gear)]);
+                 m.gear >= 0 ? std::string("head ") + kInk[static_cast<std::size_t>(m.gear)]
+                 : action    ? "mark action-dot"
+                             : "mark");
   }
 
   void slide(const FigureSlide& s) {

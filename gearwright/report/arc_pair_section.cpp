@@ -14,7 +14,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 520.0;
 constexpr double kAspect = 520.0 / 440.0;
 
 }  // namespace
@@ -69,7 +68,7 @@ std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 
                              const FigureForm& form) {
   std::string figures;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
-    figures += form.html(arc_mesh_figure(pair, i, shapes), kWidth);
+    figures += form.html(arc_mesh_figure(pair, i, shapes), kPlaneFigure);
   return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}</section>\n",
                      side_by_side(figures), pair_table(pair, form.units));
 }

@@ -21,8 +21,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kArcFigure = 640.0;  // px, width of a figure of circular-arc teeth
-
 double share(const ContactResult& result, bool (*is)(TouchKind)) {
   const auto n = std::count_if(result.positions.begin(), result.positions.end(),
                                [&](const ContactPoint& p) { return is(p.kind); });
@@ -162,7 +160,8 @@ std::string multiples_part(const ContactReport& report, const FigureForm& form) 
                              report.marking);
     f.caption = u.peak_to_peak ? "<br>peak to peak " + shown_arcsec(u.peak_to_peak->arcsec()) + "″"
                                : "<br>no teeth touch";
-    pictures += figure_html(in_units(form.units, f), 240.0, u.as_specified ? " class=\"own\"" : "");
+    pictures +=
+        figure_html(in_units(form.units, f), kSmallFigure, u.as_specified ? " class=\"own\"" : "");
   }
   return "<h3>Which error moves the pattern</h3>\n<p>The pictures show the pattern on gear 1 under "
          "each error alone, in both directions, and under all errors together. The picture that "
@@ -186,7 +185,7 @@ std::string arc_part(const ContactReport& report, const FigureForm& form) {
   if (!report.arc_pair) return {};
   std::string figures;
   for (const Figure& figure : arc_contact_figures(*report.arc_pair))
-    figures += form.html(figure, kArcFigure);
+    figures += form.html(figure, kWideFigure);
   if (figures.empty()) return {};
   return "<h3>Contact of the arcs</h3>\n<p>A convex arc lies in a slightly wider concave arc and "
          "touches it at a point. Both centres lie on the common normal through this point. Across "

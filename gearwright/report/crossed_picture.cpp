@@ -16,9 +16,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kPlanWidth = 640.0;
 constexpr double kPlanAspect = 640.0 / 520.0;
-constexpr double kWholeWidth = 420.0;
 // The scale of the plan is at least 1/kMaxReduction and at most kMaxEnlargement times the scale
 // of a picture of the whole gears. The plan is reduced if the lines of action lie far outside
 // the faces.
@@ -113,7 +111,7 @@ Figure plan_figure(const InvolutePair& pair) {
     add_face(f, pair, i, pair.mesh.rack.sides[i].pitch_radius, "face ");
     add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "thin ");
   }
-  add_axes(f, pair, kPlanWidth);
+  add_axes(f, pair, kWideFigure);
   const auto& side = pair.mesh.rack.sides[0];
   const Vec2 teeth(std::sin(side.helix_angle), side.cos_helix);
   const double far = extent(pair).norm() + 2 * half.x();
@@ -187,7 +185,7 @@ Figure whole_figure(const InvolutePair& pair) {
     add_teeth(f, pair, i);
   }
   if (plan_is_within(pair)) f.bar(-plan_window(pair), plan_window(pair), "frame");
-  add_axes(f, pair, kWholeWidth);
+  add_axes(f, pair, kNarrowFigure);
   return f;
 }
 
@@ -208,7 +206,7 @@ std::array<Figure, 2> plan_figures(const InvolutePair& pair) {
 
 std::string plan_part(const InvolutePair& pair, const FigureForm& form) {
   const auto [plan, whole] = plan_figures(pair);
-  const std::string first = form.html(plan, kPlanWidth), second = form.html(whole, kWholeWidth);
+  const std::string first = form.html(plan, kWideFigure), second = form.html(whole, kNarrowFigure);
   return first.empty() ? side_by_side(second)
                        : "<div class=\"figures mesh\">\n" + first + second + "</div>\n";
 }

@@ -10,22 +10,21 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/drive_figures.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
+constexpr double kSectionEdge = 12.0;  // px, margin of a section
 // px, least width of a section that is taller than it is wide.
 constexpr double kLeastWidth = 320.0;
 // Greatest shown length of a rack, in tip radii of the pinion.
 constexpr double kBarRadii = 8.0;
-// Width of a picture, px, and its height divided by its width.
-constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;
+constexpr double kPhaseTall = 0.82;    // height of a picture divided by its width
 constexpr double kPhaseModules = 6.5;  // modules, size of the area in a picture of a phase
 // Teeth per second in the fastest mesh while the gears turn.
 constexpr double kTeethPerSecond = 1.2;
@@ -60,8 +59,8 @@ class Pictures {
         all.cover(about + reach);
       }
     }
-    const double px = all.size().maxCoeff() / (kSectionWidth - 2 * kSectionEdge);  // mm per px
-    width_ = std::clamp(all.size().x() / px + 2 * kSectionEdge, kLeastWidth, kSectionWidth);
+    const double px = all.size().maxCoeff() / (kWideFigure - 2 * kSectionEdge);  // mm per px
+    width_ = std::clamp(all.size().x() / px + 2 * kSectionEdge, kLeastWidth, kWideFigure);
     const Vec2 half(width_ / 2 * px, all.size().y() / 2 + kSectionEdge * px);
     const Vec2 middle = (all.lo + all.hi) / 2;
     window_ = {middle - half, middle + half};
@@ -316,7 +315,7 @@ class Pictures {
         add_gear(f, i, height, at, upright, ratio(gear.body) - carried);
       }
     }
-    return figure_html(f, kPhaseWidth);
+    return figure_html(f, kSmallFigure);
   }
 
   static std::string resultants(const PlanetSet& set) {

@@ -25,7 +25,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kKeyFigures{
     "ratio", "efficiency", "efficiency_backward", "center_distance_mm", "output_deg", "output_mm"};
-constexpr double kSchemeWidth = 640.0;
 
 std::string drive_title(const Drive& drive) {
   std::string teeth;
@@ -66,7 +65,7 @@ std::string drive_overview(const DriveReportInput& input) {
   const Drive& drive = *input.drive;
   std::string text = "<section>\n<h2>The drive</h2>\n";
   if (input.places)
-    text += figure_html(scheme_figure(drive, *input.places, kSchemeWidth), kSchemeWidth);
+    text += figure_html(scheme_figure(drive, *input.places, kWideFigure), kWideFigure);
   text += table_of("Bodies", drive_body_quantities(), drive, drive.graph.bodies, input.units);
   return text + "</section>\n";
 }
@@ -81,7 +80,7 @@ std::string section_part(const DriveReportInput& input) {
 
 std::string power_part(const Drive& drive, UnitSystem units) {
   std::string text = "<section>\n<h2>Power</h2>\n";
-  if (const auto figure = power_figure(drive)) text += figure_html(*figure, kSchemeWidth);
+  if (const auto figure = power_figure(drive)) text += figure_html(*figure, kWideFigure);
   text += table_of("Meshes", drive_mesh_quantities(), drive, drive.graph.meshes, units);
   return text + table_html("The whole drive", {"Value"}, units, drive_quantities(), drive) +
          "</section>\n";

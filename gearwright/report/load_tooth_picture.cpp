@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLoadToothWidth = 520.0, kLoadToothAspect = 520.0 / 360.0;
+constexpr double kLoadToothAspect = 520.0 / 360.0;
 constexpr double kLongest = 0.7;  // normal modules, length of the bar of the greatest stress
 
 struct Fillet {
@@ -82,7 +82,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   figure.line(ends, "curve c-root-fillet");
   figure.dot(upright(worst), 3.0, "mark");
   figure.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
-  return figure_html(in_units(units, figure), kLoadToothWidth);
+  return figure_html(in_units(units, figure), kPlaneFigure);
 }
 
 }  // namespace

@@ -13,9 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMeshWidth = 640.0;
 constexpr double kMeshAspect = 640.0 / 560.0;
-constexpr double kWholeMeshWidth = 420.0;
 constexpr double kLeastAspect = 420.0 / 360.0, kMostAspect = 420.0 / 120.0;
 
 std::string about_ring(const Gear& gear_2) {
@@ -53,10 +51,10 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
                       const FigureForm& form, const std::string& below) {
   const auto [mesh, whole] = mesh_figures(pair, shapes);
-  const std::string control = turn_control(pair), first = form.html(mesh, kMeshWidth, control);
+  const std::string control = turn_control(pair), first = form.html(mesh, kWideFigure, control);
   if (first.empty())
-    return side_by_side("<div>" + form.html(whole, kWholeMeshWidth, control) + "</div>\n" + below);
-  return "<div class=\"figures mesh\">\n" + first + "<div>" + form.html(whole, kWholeMeshWidth) +
+    return side_by_side("<div>" + form.html(whole, kNarrowFigure, control) + "</div>\n" + below);
+  return "<div class=\"figures mesh\">\n" + first + "<div>" + form.html(whole, kNarrowFigure) +
          below + "</div>\n</div>\n";
 }
 

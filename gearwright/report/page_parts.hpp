@@ -16,6 +16,11 @@
 
 namespace gearwright {
 
+/// Widths of figures other than kFigureWidth, px: beside a table or narrow figures, of a plane in a
+/// column, beside a wide figure, and in a row of small figures.
+inline constexpr double kWideFigure = 640.0, kPlaneFigure = 520.0, kNarrowFigure = 420.0,
+                        kSmallFigure = 240.0;
+
 /// The form in which a section shows its figures. It consists of the unit of lengths, a prefix for
 /// the ids of the figures (ids must be unique in a page), and the ids of the figures at the head of
 /// the page. Sections omit those figures.

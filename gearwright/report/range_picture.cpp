@@ -169,7 +169,7 @@ std::string range_figure(const CrossedPair& pair, UnitSystem units) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   std::string panels;
   for (const RangeCurve& q : quantities(pair))
-    panels += figure_svg(in_units(units, range_panel(pair, samples, q)), 640.0);
+    panels += figure_svg(in_units(units, range_panel(pair, samples, q)), kWideFigure);
   return captioned(
       panels,
       fmt::format(
@@ -184,7 +184,7 @@ std::string range_figure(const CrossedPair& pair, UnitSystem units) {
 std::string min_distance_figure(const CrossedPair& pair, UnitSystem units) {
   const std::vector<Approximation> all = approximations(pair);
   const auto figure = all.empty() ? std::nullopt : zoom_figure(pair, all);
-  return figure ? figure_html(in_units(units, *figure), 640.0) : std::string();
+  return figure ? figure_html(in_units(units, *figure), kWideFigure) : std::string();
 }
 
 std::string min_distance_table(const CrossedPair& pair, UnitSystem units) {

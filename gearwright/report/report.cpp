@@ -27,9 +27,6 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// Width of a figure that has a table or narrow figures beside it, and width of a narrow figure, px.
-constexpr double kWideFigure = 640.0, kNarrowFigure = 420.0;
-
 std::string default_title(const ReportInput& input) {
   const int z1 = input.gears[0]->spec.teeth;
   if (input.rack) return fmt::format("Rack and pinion with {} teeth", z1);

@@ -198,7 +198,6 @@ std::string halves_part(std::string_view shared, std::string_view alike,
   return text;
 }
 
-constexpr double kRackWidth = 640.0;  // px, width of the picture of a rack
 constexpr double kRackAspect = 640.0 / 560.0;
 
 Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes) {
@@ -234,7 +233,7 @@ std::string rack_section(const RackPair& pair, const std::array<std::string, 2>&
   if (figure) {
     Figure drawn = std::move(figure).take();
     drawn.definitions.clear();  // the page contains them
-    picture = form.html(std::move(drawn), kRackWidth);
+    picture = form.html(std::move(drawn), kWideFigure);
   } else {
     picture = fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
                           escaped(figure.error().message()));

@@ -6,16 +6,15 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kRootWidth = 520.0;
 constexpr double kRootAspect = 1.0;  // width over height of the plot
 // Margin on each side, relative to the height and width of the plot.
 constexpr double kRootMargin = 0.055;
@@ -209,7 +208,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   }
   Figure f = root_plot(gear, shape, name);
   f.caption = ". " + words;
-  return figure_html(in_units(units, f), kRootWidth);
+  return figure_html(in_units(units, f), kPlaneFigure);
 }
 
 }  // namespace gearwright

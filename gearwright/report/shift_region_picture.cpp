@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "gearwright/catalogue/figure_units.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/shift_region.hpp"
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/search_figures.hpp"
 #include "gearwright/report/search_table.hpp"
 
@@ -11,9 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRegionWidth = 640.0;
 constexpr double kRegionAspect = 554.0 / 450.0;
-constexpr double kSmallRegionWidth = 240.0;
 constexpr double kSmallRegionAspect = 200.0 / 170.0;
 // If the longer side of the region is at least this fraction of the longer side of the rectangle of
 // shift limits, the whole rectangle is shown.
@@ -69,7 +67,7 @@ std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row, U
   f.dot(design_of(row), 7.0, "design-ring");
   f.point(design_of(row), 2.5, "design-dot", "design", {13.0, 0.0});
   f.marks.back().label_style = "halo letter";
-  return figure_html(in_units(units, f), kRegionWidth);
+  return figure_html(in_units(units, f), kWideFigure);
 }
 
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,
@@ -83,7 +81,7 @@ std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row
   f.title = "Feasible profile shifts of " + name;
   f.description = description(chart.region, row);
   f.dot(design_of(row), 4.0, "design-small");
-  return captioned(figure_svg(f, kSmallRegionWidth),
+  return captioned(figure_svg(f, kSmallFigure),
                    fmt::format("<strong><a href=\"{}\">{}</a></strong><br>{} {}", row_link, name,
                                symbol_html("ε_α"), fixed(row.contact_ratio, 3)));
 }

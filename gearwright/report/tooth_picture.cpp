@@ -9,17 +9,16 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kToothWidth = 520.0;
 constexpr double kToothAspect = 400.0 / 360.0;  // width over height of the plot
 
 std::vector<NamedCircle> circles_of(const Gear& gear) {
@@ -84,7 +83,6 @@ std::string why_no_outline(const Gear& gear) {
 constexpr int kMaxTeeth = 8;
 constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
 constexpr double kSameShift = 1e-6;  // greatest difference of shifts that count as equal
-constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 240.0 / 230.0;
 // Margin at the sides and at the top, as a fraction of width and height.
 constexpr double kToothMargin = 0.05;
@@ -208,7 +206,7 @@ void lead_circle(Figure& f, double radius, std::string_view symbol, int decimals
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name,
                        UnitSystem units) {
   if (has_outline(gear))
-    return figure_html(in_units(units, tooth_figure(gear, shape, name)), kToothWidth);
+    return figure_html(in_units(units, tooth_figure(gear, shape, name)), kPlaneFigure);
   return fmt::format("<p class=\"nopicture\"><strong>{}: there is no picture.</strong> {}</p>\n",
                      name, escaped(why_no_outline(gear)));
 }
@@ -297,7 +295,7 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
     const ShiftedTooth& t = teeth[i];
     const std::string words = words_of(t);
     const Figure f = tooth_of(t, view, fmt::format("shift{}-{}", i + 1, shape), words);
-    text += captioned(figure_svg(f, kSmallWidth),
+    text += captioned(figure_svg(f, kSmallFigure),
                       fmt::format("<strong>{} = {:.4g}</strong>{}<br>{}", symbol_html("x"), t.shift,
                                   t.own ? ", this gear" : "", words),
                       t.own ? " class=\"own\"" : "");

@@ -63,7 +63,6 @@ val js(const Json& tree) {
   return tree.is_null() ? val::null() : val(tree.get<double>());
 }
 val js(const std::string& json) { return val::global("JSON").call<val>("parse", json); }
-val js(const ContactCurve& curve) { return js(shape(curve)); }
 val js(const FlankRaster& raster) { return js(shape(raster)); }
 val js(const Steps& s) {
   return js(Json{{"done", s.done}, {"of", s.of}, {"finished", s.finished}});

@@ -26,13 +26,12 @@ bool is_number(const QuantityInfo& info) {
 
 // Adds a column for each quantity of the table that consists of numbers or words and has a fixed
 // width.
-void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows,
-                 ContactCurve& curve) {
+void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows, Json& curve) {
   for (const RecordColumn& column : columns_of(table)) {
     const bool words = column.info().type == Type::word;
     if (column.width() == 0 || (!words && !is_number(column.info()))) continue;
     Numbers numbers;
-    std::vector<std::string> texts;
+    Json texts = Json::array();
     for (const ValueRecord& row : rows) {
       for (const Value* value : column.values(row)) {
         const auto* const word = std::get_if<std::string>(&value->variant());
@@ -40,10 +39,8 @@ void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& row
         if (!words) numbers.push_back(value->number().value_or(kNoNumber));
       }
     }
-    ContactCurve::Column& made = curve.columns[column.name(".")];
-    made.width = static_cast<int>(column.width());
-    if (words) made.values = std::move(texts);
-    if (!words) made.values = std::move(numbers);
+    curve["width"][column.name(".")] = column.width();
+    curve["columns"][column.name(".")] = words ? std::move(texts) : row(numbers);
   }
 }
 
@@ -160,16 +157,20 @@ Result<const Session::Found*> Session::found(int positions) {
   return &*found_;
 }
 
-Result<ContactCurve> Session::contact_curve(int positions) {
+Result<Json> Session::contact_curve(int positions) {
   const auto made = this->found(positions);
   if (!made) return made.error();
   const ContactResult& found = (*made)->whole;
-  ContactCurve curve{positions,           {}, kNoNumber, found.mean_slope, {}, found.contact_lost,
-                     contact_words(found)};
-  if (!found.rack) {
-    if (any_contact(found)) curve.peak_to_peak_arcsec = found.peak_to_peak.arcsec();
-    for (const Angle& a : found.harmonics) curve.harmonics_arcsec.push_back(a.arcsec());
-  }
+  Numbers harmonics;  // none for a rack, whose transmission error is a length
+  for (const Angle& a : found.harmonics)
+    if (!found.rack) harmonics.push_back(a.arcsec());
+  const bool known = !found.rack && any_contact(found);
+  Json curve{{"n", positions},
+             {"peakToPeakArcsec", known ? found.peak_to_peak.arcsec() : kNoNumber},
+             {"meanSlope", found.mean_slope},
+             {"harmonicsArcsec", row(harmonics)},
+             {"contactLost", found.contact_lost},
+             {"words", contact_words(found)}};
   std::vector<ValueRecord> records;
   for (const ContactPoint& p : found.positions) records.push_back(position_quantities().of(p));
   add_columns(position_quantities().table(), records, curve);

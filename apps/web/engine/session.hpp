@@ -67,52 +67,32 @@ class Session : public std::enable_shared_from_this<Session> {
   /// A figure in the system of units that show_in() has set.
   Json drawn(Figure figure, double width) const;
 
+  // engine.d.ts describes these functions. A text is JSON.
   std::string json(const std::string& verb);
-  /// The rows of a verb's result for the tables of the page, as JSON (job/result_rows.hpp). The list
-  /// is empty if the verb fails or has no rows.
   Result<std::string> rows(const std::string& verb);
   Result<Json> mesh(int gear, double tolerance) const;
-  /// The solids of a drive in their positions, with the data of their motion.
   Result<Json> drive_solids() const;
-  /// The scheme of a drive and its power flow.
   Result<Json> drive_figures(double width) const;
-  /// The curves of a drive under load; none without [load].
   Result<Json> drive_load_figures(double width) const;
   Result<Json> lines() const;
-  /// The gears in section, with all circles that the catalogue contains.
   Result<Json> mesh_figure(const MeshView& view) const;
-  /// The pose of a gear as a column-major 4×4 matrix, as three.js requires.
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
-  Result<ContactCurve> contact_curve(int positions);
-  /// Figures of the transmission error, the spectrum, and both flanks at one position. A figure
-  /// without data is omitted.
+  Result<Json> contact_curve(int positions);
   Result<Json> contact_figures(const ContactView& view);
-  /// The contact at one position as JSON, with the keys of contact.positions.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
-  /// The patterns on both gears, or on the pinion of a rack. If the halves of a double-helical pair
-  /// differ, the list begins with the patterns of the half at z > 0, and the patterns of the other
-  /// half follow.
   Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
+  Result<Json> scatter_sketch(double width);
+  Result<Json> scatter(double width);
+  Result<Json> shift_region(const std::optional<ShiftView>& view) const;
+  Result<Json> file(const std::string& kind, int gear, double tolerance);
+
   /// The transmission error over a pitch, rad, with two of the errors replaced by `values`.
   /// `keys` are the indices of these two errors in error_entries().
   Result<std::vector<double>> te_under(const std::array<std::size_t, 2>& keys,
                                        const std::array<double, 2>& values, int positions);
   double marking() const { return job_.spec.contact.marking; }
-
-  /// Percentiles of the peak-to-peak transmission error within the tolerances of [scatter],
-  /// estimated to first order, with figures.
-  Result<Json> scatter_sketch(double width);
-  /// The percentiles from complete contact analyses, with the probabilities of events. The number
-  /// of samples of each replicate is doubled, from 4 to at most 128, if the next analysis is
-  /// expected to take less than a second.
-  Result<Json> scatter(double width);
-
-  /// The x1–x2 chart. If `view` is given, the chart contains a figure of the region or, if the
-  /// region is empty, of the limits.
-  Result<Json> shift_region(const std::optional<ShiftView>& view) const;
-  Result<Json> file(const std::string& kind, int gear, double tolerance);
 
  private:
   // The flanks that touch. For a double-helical pair, `pair` is the half at z > 0.

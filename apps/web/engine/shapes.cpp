@@ -30,24 +30,6 @@ Json row(const std::vector<std::uint32_t>& numbers) {
 }
 Json row(std::string_view bytes) { return binary(bytes.data(), bytes.size(), RowType::uint8); }
 
-Json shape(const ContactCurve& curve) {
-  Json columns = Json::object(), width = Json::object();
-  for (const auto& [key, column] : curve.columns) {
-    width[key] = column.width;
-    const auto* numbers = std::get_if<Numbers>(&column.values);
-    columns[key] =
-        numbers ? row(*numbers) : Json(std::get<std::vector<std::string>>(column.values));
-  }
-  return {{"n", curve.n},
-          {"columns", std::move(columns)},
-          {"width", std::move(width)},
-          {"peakToPeakArcsec", curve.peak_to_peak_arcsec},
-          {"meanSlope", curve.mean_slope},
-          {"harmonicsArcsec", row(curve.harmonics_arcsec)},
-          {"contactLost", curve.contact_lost},
-          {"words", curve.words}};
-}
-
 Json shape(const FlankRaster& raster) {
   return {
       {"diameter", row(raster.diameter)}, {"height", row(raster.height)}, {"gap", row(raster.gap)}};

@@ -6,10 +6,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
@@ -30,20 +27,6 @@ Json row(const std::vector<float>& numbers);
 Json row(const std::vector<std::uint32_t>& numbers);
 Json row(std::string_view bytes);
 
-struct ContactCurve {
-  struct Column {
-    int width;
-    std::variant<Numbers, std::vector<std::string>> values;
-  };
-  int n;
-  std::map<std::string, Column> columns;
-  double peak_to_peak_arcsec, mean_slope;
-  Numbers harmonics_arcsec;
-  bool contact_lost;
-  std::string words;  // summary in words
-};
-
-Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
 Json shape(const TriangleMesh& mesh, double tolerance);
 /// A pose as a column-major 4×4 matrix, as three.js requires.

@@ -17,27 +17,18 @@ async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: CompressionStream | DecompressionStream,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const source = new Blob([bytes]).stream().pipeThrough(stream);
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;
-  const reader = source.getReader();
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    length += value.length;
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    length += part.value.length;
     if (length > kMostCharacters) {
       void reader.cancel();
       throw new TooLong();
     }
-    parts.push(value as Uint8Array<ArrayBuffer>);
+    parts.push(part.value as Uint8Array<ArrayBuffer>);
   }
-  const whole = new Uint8Array(length);
-  let at = 0;
-  for (const part of parts) {
-    whole.set(part, at);
-    at += part.length;
-  }
-  return whole;
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 /** Returns the fragment that contains this text. */

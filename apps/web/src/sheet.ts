@@ -28,10 +28,6 @@ export class SheetView implements Tab {
     if (bench.good?.text === text) await this.load(text);
   }
 
-  inUnits(): void {
-    this.shown = "";
-  }
-
   private async load(text: string): Promise<void> {
     this.state.textContent = this.shown ? "" : "Writing the report …";
     try {

@@ -15,7 +15,7 @@ export interface Tab {
   /** The element that is dimmed while it does not show the spec on screen. */
   readonly picture: HTMLElement;
   /** The text of the spec that the picture shows, or "" if there is no picture. */
-  readonly shown: string;
+  shown: string;
   /** The part of the verdict to which this tab contributes, and the function that computes it while the
    *  tab is hidden. */
   readonly part?: Part;
@@ -24,7 +24,7 @@ export interface Tab {
   readonly ofDrives?: boolean | "only";
   /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
-  /** Called when the unit of lengths has changed, before the next refresh(). */
+  /** Called when the unit of lengths has changed, before the next refresh(). By default, the picture is made again. */
   inUnits?(): void;
   /** Called when the user leaves the tab. */
   leave?(): void;
@@ -94,7 +94,10 @@ export class Tabs {
       this.rest = window.setTimeout(() => void this.judge(), kRestMs);
     });
     onUnitChange(() => {
-      for (const tab of this.tabs) tab.inUnits?.();
+      for (const tab of this.tabs) {
+        if (tab.inUnits) tab.inUnits();
+        else tab.shown = "";
+      }
       if (bench.settled) void this.refresh();
     });
     this.mark();

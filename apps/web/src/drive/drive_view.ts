@@ -30,7 +30,4 @@ export class DriveView implements Tab {
     const loaded = await bench.about(bench.back, "drive load", "driveLoadFigures", question);
     if (loaded && this.shown === text) this.figures.show(loaded, false);
   }
-  inUnits(): void {
-    this.shown = "";
-  }
 }

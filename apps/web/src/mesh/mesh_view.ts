@@ -82,6 +82,7 @@ export class MeshView implements Tab {
   leave(): void {
     this.turning.stop();
   }
+  inUnits(): void {} // the figure contains no lengths
 
   async refresh(): Promise<void> {
     const solved = bench.good;

@@ -119,9 +119,6 @@ export class RatingView extends AnswerView<Rated> {
     judgement.take("rating", solved.text, rated);
     this.draw(rated, rows);
   }
-  inUnits(): void {
-    this.shown = "";
-  }
   judge(): Promise<void> {
     return this.refresh();
   }

@@ -62,9 +62,6 @@ export class ScatterView implements Tab {
     }
     if (!this.moving) this.later();
   }
-  inUnits(): void {
-    this.shown = "";
-  }
   leave(): void {
     clearTimeout(this.rest);
   }

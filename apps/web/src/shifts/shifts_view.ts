@@ -78,10 +78,6 @@ export class ShiftsView implements Tab {
     this.draw();
   }
 
-  inUnits(): void {
-    this.shown = "";
-  }
-
   private clear(sentence: string): void {
     this.region = null;
     this.shown = "";

@@ -66,6 +66,7 @@ export class SolidView implements Tab {
   leave(): void {
     this.turning.stop();
   }
+  inUnits(): void {} // the solids contain no lengths
 
   async refresh(): Promise<void> {
     const solved = bench.good;
