@@ -279,14 +279,17 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
                "rotation of the body between the two contacts of the teeth [T13.20]; null for a "
                "rack, or if the `backlash` of the drive is null",
                [held](const V& v) -> std::optional<Angle> {
+                 if (v.drive->lever(v.body)) return std::nullopt;
                  const auto motion = v.drive->play(v.body, held(v.drive->graph));
-                 return motion ? rotation(*motion, v.drive->lever(v.body)) : std::nullopt;
+                 return motion ? std::optional(Angle::radians(*motion)) : std::nullopt;
                });
       q.number(mm, words, "",
                "travel of a rack between the two contacts of the teeth; null for a body that turns",
                [held](const V& v) -> std::optional<double> {
+                 const auto lever = v.drive->lever(v.body);
+                 if (!lever) return std::nullopt;
                  const auto motion = v.drive->play(v.body, held(v.drive->graph));
-                 return motion ? travel(*motion, v.drive->lever(v.body)) : std::nullopt;
+                 return motion ? travel(*motion, lever) : std::nullopt;
                });
     };
     play("backlash_input_held_deg", "backlash_input_held_mm", "backlash with the input held",

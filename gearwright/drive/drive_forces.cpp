@@ -26,12 +26,17 @@ std::optional<PitchCylinder> pitch_cylinder(const Drive& drive, std::size_t mesh
   return PitchCylinder{side.pitch_radius, side.tan_transverse, side.tan_helix};
 }
 
+// True if the torques of all meshes are known.
+bool carries_torque(const Drive& drive) {
+  return drive.flow && !drive.flow->self_locking() && drive.graph.torque_Nm;
+}
+
 }  // namespace
 
 std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh) {
   const DriveGraph& graph = drive.graph;
   const DriveMesh& m = graph.meshes[mesh];
-  if (!drive.flow || drive.flow->self_locking() || !graph.torque_Nm) return std::nullopt;
+  if (!carries_torque(drive)) return std::nullopt;
   const auto cylinder = pitch_cylinder(drive, mesh);
   if (!cylinder) return std::nullopt;
   const double torque = graph.gear(m, 0).factor() * drive.flow->load[mesh] *
@@ -43,6 +48,7 @@ std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh) {
 }
 
 std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body) {
+  if (!carries_torque(drive)) return std::nullopt;
   const DriveGraph& graph = drive.graph;
   const auto places = drive_places(drive);
   if (!places) return std::nullopt;

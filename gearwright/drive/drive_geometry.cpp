@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/drive/geometry_remedy.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
@@ -114,9 +113,13 @@ class Completion {
   DriveGeometry& made_;
 };
 
-// Makes a gear of a drive. For a double-helical gear, the function makes one half.
+// How a gear of a drive is made. A ring without a given tip diameter first gets no cutter, because
+// its tip diameter follows from its mating gears.
+enum class Teeth { cut, without_cutter };
+
+// Makes a gear of a drive. If the gear is double-helical, the result is one half.
 void make_drive_gear(const DriveGraph& graph, std::size_t g, std::optional<double> tip_diameter,
-                     DriveGeometry& made) {
+                     DriveGeometry& made, Teeth how = Teeth::cut) {
   const DriveGear& gear = graph.gears[g];
   CylindricalSpec spec = *gear.spec;
   spec.teeth = gear.teeth;
@@ -124,7 +127,7 @@ void make_drive_gear(const DriveGraph& graph, std::size_t g, std::optional<doubl
   if (tip_diameter) spec.tip_diameter = tip_diameter;
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
   if (gear.double_helical) spec.face_width = (spec.face_width - gear.double_helical->gap) / 2;
-  auto teeth = make_gear_with_default_cutter(spec);
+  auto teeth = how == Teeth::cut ? make_gear_with_default_cutter(spec) : make_gear(spec);
   made.gears[g].reset();
   if (!teeth) {
     const bool of_half = gear.double_helical && teeth.error().field == "face_width";
@@ -199,113 +202,105 @@ void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// Makes the teeth of a gear again with the given tip diameter, and mounts its meshes again.
-void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, DriveGeometry& made) {
-  make_drive_gear(graph, g, tip_diameter, made);
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m)
-    if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
-}
-
-// True if the generating rack determines the tip diameter of a gear. The tip diameter may then be
+// True if the tip diameter of a gear follows from its generating rack, and may therefore be
 // changed.
-bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
-  const DriveGear& gear = graph.gears[g];
-  return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
+bool free_tip(const DriveGear& gear) {
+  return gear.spec && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
-// With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance is
-// less than that of the generating racks. If this tip clearance is too small for the verdict, the
-// function lowers the tip by k m_n. This restores the tip clearance of the racks.
-void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
-  constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-    for (const std::size_t side : {0, 1}) {
-      const std::size_t g = graph.meshes[m].gears[side];
-      const ParallelPair* pair = made.involutes(m);
-      if (!pair || graph.gears[g].is_ring() || !free_tip(graph, g, made)) continue;
-      const double module = graph.gears[g].spec->normal_module;
-      const double lower = pair->tip_shortening;
-      if (pair->tip_clearance[side] < kLeast * module && lower < 0.0)
-        turn_tip(graph, g, made.gears[g]->tip_diameter + 2 * lower, made);
+// The gears are mounted after all tip diameters are known, because a mounted pair is searched for
+// collisions. Before, only the meshes of their flanks are computed.
+class MeshMounting {
+ public:
+  MeshMounting(const DriveGraph& graph, DriveGeometry& made)
+      : graph_(graph), made_(made), meshes_(graph.meshes.size()) {}
+
+  void mount_all() {
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g)
+      if (graph_.gears[g].spec && made_.shift[g])
+        make_drive_gear(graph_, g, std::nullopt, made_,
+                        is_open_ring(g) ? Teeth::without_cutter : Teeth::cut);
+    for (std::size_t m = 0; m < meshes_.size(); ++m) find_mesh(m);
+    cut_back_tips();
+    turn_out_rings();
+    for (std::size_t m = 0; m < meshes_.size(); ++m)
+      if (meshes_[m]) mount_mesh(graph_, m, made_);
+  }
+
+ private:
+  bool is_open_ring(std::size_t g) const {
+    return graph_.gears[g].is_ring() && free_tip(graph_.gears[g]);
+  }
+  std::array<const Gear*, 2> gears_of(std::size_t m) const {
+    const auto& [one, two] = graph_.meshes[m].gears;
+    return {&*made_.gears[one], &*made_.gears[two]};
+  }
+
+  // Computes the mesh of two involute gears. Any other pair, and a pair that cannot be mounted, is
+  // mounted at once.
+  void find_mesh(std::size_t m) {
+    meshes_[m].reset();
+    const auto& [one, two] = graph_.meshes[m].gears;
+    if (!made_.gears[one] || !made_.gears[two] || !made_.distance[m]) return;
+    const auto [g1, g2] = gears_of(m);
+    if (g1->involute() && g2->involute()) {
+      const auto place = involute_place(*g1, *g2, {.center_distance = made_.distance[m]});
+      if (place && !place->shaft_angle) {
+        const MeshInput<double> input = mesh_input(*g1, *g2, *place);
+        const double least = base_radius_sum(input.gears), a = place->center_distance;
+        if (a > least && a <= kMaxDistance * least) meshes_[m] = mesh_of(input);
+      }
+    }
+    if (!meshes_[m]) mount_mesh(graph_, m, made_);
+  }
+
+  // With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance
+  // is less than the clearance of the generating racks. If the verdict requires a greater tip
+  // clearance, the tip is lowered by k m_n, which restores the clearance of the racks.
+  void cut_back_tips() {
+    constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+      for (const std::size_t side : {0, 1}) {
+        const std::size_t g = graph_.meshes[m].gears[side];
+        if (!meshes_[m] || graph_.gears[g].is_ring() || !free_tip(graph_.gears[g])) continue;
+        const auto [g1, g2] = gears_of(m);
+        const double a = *made_.distance[m];
+        const auto clearance =
+            tip_clearances({g1->actual_tip_radius(), g2->actual_tip_radius()},
+                           {g1->root_diameter / 2, g2->root_diameter / 2}, a, g2->side());
+        if (!(clearance[side] < kLeast * graph_.gears[g].spec->normal_module)) continue;
+        const double lower = g2->side() * (a - extended_center_distance(*g1, *g2));
+        if (!(lower < 0.0)) continue;
+        make_drive_gear(graph_, g, made_.gears[g]->tip_diameter + 2 * lower, made_);
+        for (std::size_t n = 0; n < meshes_.size(); ++n)
+          if (graph_.meshes[n].gears[0] == g || graph_.meshes[n].gears[1] == g) find_mesh(n);
+      }
     }
   }
-}
 
-// If the tips of a ring have the full addendum of its rack, they often extend beyond the root ends
-// of the flanks of the mating gears. If no tip diameter is given, the tips are therefore cut back
-// until they touch only these flanks.
-void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
-  constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
-  for (std::size_t g = 0; g < graph.gears.size(); ++g) {
-    const DriveGear& gear = graph.gears[g];
-    if (!gear.is_ring() || !free_tip(graph, g, made)) continue;
-    std::optional<double> tip;
-    for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-      const ParallelPair* pair = made.involutes(m);
-      if (graph.meshes[m].gears[1] != g || !pair) continue;
-      const auto least = tip_that_clears(*pair, 2, kClear * gear.spec->normal_module);
-      if (least && (!tip || *least > *tip)) tip = least;
+  // The tips of a ring with the full addendum of its rack often reach beyond the root ends of the
+  // flanks of its mating gears. If no tip diameter is given, the tips are therefore cut back so
+  // that they touch only these flanks.
+  void turn_out_rings() {
+    constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+      if (!is_open_ring(g) || !made_.gears[g]) continue;
+      std::optional<double> tip;
+      for (std::size_t m = 0; m < meshes_.size(); ++m) {
+        if (graph_.meshes[m].gears[1] != g || !meshes_[m]) continue;
+        const double clear = kClear * graph_.gears[g].spec->normal_module;
+        const auto least = tip_that_clears(gears_of(m), *meshes_[m], 2, clear);
+        if (least && (!tip || *least > *tip)) tip = least;
+      }
+      if (tip && !(*tip < made_.gears[g]->root_diameter)) tip.reset();
+      make_drive_gear(graph_, g, tip, made_);
     }
-    if (tip && *tip < made.gears[g]->root_diameter) turn_tip(graph, g, *tip, made);
   }
-}
 
-// The position of a rider in the frame of the carrier, and the greatest tip diameter of its gears.
-struct Rider {
-  double distance, angle, tip_diameter;
+  const DriveGraph& graph_;
+  DriveGeometry& made_;
+  std::vector<std::optional<Mesh<double>>> meshes_;  // none if mounted at once, or not at all
 };
-
-std::optional<double> distance_between(const DriveGraph& graph, const PlanetGroup& group,
-                                       const std::vector<std::optional<double>>& distances,
-                                       std::size_t a, std::optional<std::size_t> b) {
-  for (const std::size_t m : group.meshes) {
-    const std::size_t one = graph.gear(graph.meshes[m], 0).body;
-    const std::size_t two = graph.gear(graph.meshes[m], 1).body;
-    const auto other = one == a ? std::optional(two) : two == a ? std::optional(one) : std::nullopt;
-    if (!other) continue;
-    const bool matches = b ? *other == *b : !graph.bodies[*other].carrier;
-    if (matches) return distances[m];
-  }
-  return std::nullopt;
-}
-
-std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const PlanetGroup& group,
-                                               const DriveGeometry& geometry,
-                                               std::optional<Fault>& fault) {
-  const auto places = rider_places(graph, group, geometry.distance, fault);
-  if (!places) return std::nullopt;
-  std::vector<Rider> riders;
-  for (std::size_t i = 0; i < group.riders.size(); ++i) {
-    double tip = 0.0;
-    for (std::size_t g = 0; g < graph.gears.size(); ++g) {
-      if (graph.gears[g].body != group.riders[i]) continue;
-      if (!geometry.gears[g]) return std::nullopt;
-      tip = std::max(tip, geometry.gears[g]->tip_diameter);
-    }
-    riders.push_back({(*places)[i].distance, (*places)[i].angle, tip});
-  }
-  return riders;
-}
-
-double tip_gap(const Rider& a, const Rider& b, double turned) {
-  const double angle = b.angle + turned - a.angle;
-  // The distance of two points in polar coordinates, in a form with little cancellation. For equal
-  // radii, the distance is 2 a sin(Δ/2).
-  const double half = std::sin(angle / 2);
-  const double d = a.distance - b.distance;
-  const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
-  return between - (a.tip_diameter + b.tip_diameter) / 2;
-}
-
-// Returns the least gap between the tips of planet bodies of different copies.
-double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
-  double least = kInfinity;
-  for (std::size_t i = 0; i < turned.size(); ++i)
-    for (std::size_t j = i + 1; j < turned.size(); ++j)
-      for (const Rider& a : riders)
-        for (const Rider& b : riders) least = std::min(least, tip_gap(a, b, turned[j] - turned[i]));
-  return least;
-}
 
 }  // namespace
 
@@ -320,72 +315,9 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
   for (const DriveMesh& mesh : graph.meshes)
     if (auto& shift = made.shift[mesh.gears[0]]; graph.gear(mesh, 1).rack && !shift) shift = 0.0;
-  for (std::size_t g = 0; g < graph.gears.size(); ++g)
-    if (graph.gears[g].spec && made.shift[g]) make_drive_gear(graph, g, std::nullopt, made);
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) mount_mesh(graph, m, made);
-  cut_back_tips(graph, made);
-  turn_out_rings(graph, made);
+  MeshMounting(graph, made).mount_all();
   mount_racks(graph, made);
   return made;
-}
-
-std::optional<std::vector<RiderPlace>> rider_places(
-    const DriveGraph& graph, const PlanetGroup& group,
-    const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault) {
-  std::vector<RiderPlace> riders;
-  // The angle of each planet body after the first one follows from a triangle. The corners of the
-  // triangle are the axes of the carrier, of this body, and of a body whose angle is known.
-  for (std::size_t i = 0; i < group.riders.size(); ++i) {
-    const std::size_t body = group.riders[i];
-    const auto a = distance_between(graph, group, distances, body, std::nullopt);
-    if (!a) return std::nullopt;
-    double angle = 0.0;
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto between = distance_between(graph, group, distances, body, group.riders[j]);
-      if (!between) continue;
-      const double r = riders[j].distance;
-      const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
-      if (!(std::abs(cosine) <= 1.0)) {
-        fault = {Fault::Kind::not_coaxial,
-                 fmt::format("{} and {} have no possible place on {}, because no triangle has the "
-                             "sides {:.4f} mm, {:.4f} mm and {:.4f} mm.",
-                             graph.bodies[body].name, graph.bodies[group.riders[j]].name,
-                             graph.bodies[group.carrier].name, *a, r, *between)};
-        return std::nullopt;
-      }
-      // The idler is counter-clockwise from its planet.
-      angle = riders[j].angle + std::acos(cosine);
-      break;
-    }
-    riders.push_back({*a, angle});
-  }
-  return riders;
-}
-
-std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
-                                     const DriveGeometry& geometry, const Assembly& assembly,
-                                     std::optional<GeometryFault>& fault) {
-  const auto riders = place_riders(graph, group, geometry, fault);
-  if (!riders) return std::nullopt;
-  Neighbours found{kInfinity, 1};
-  std::vector<double> turned;
-  for (const Rational& u : assembly.turns) turned.push_back(2 * std::numbers::pi * u.value());
-  found.clearance = least_gap_of(*riders, turned);
-  constexpr int kMost = 1000;  // greatest number of planets that is tried
-  for (int n = 2; n <= kMost; ++n) {
-    turned.clear();
-    for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch, every distance between two copies is also the distance of some copy from copy
-    // 0.
-    double gap = kInfinity;
-    for (int i = 1; i < n; ++i)
-      for (const Rider& a : *riders)
-        for (const Rider& b : *riders)
-          gap = std::min(gap, tip_gap(a, b, turned[static_cast<std::size_t>(i)]));
-    if (gap < 0.0) break;
-    found.most = n;
-  }
-  return found;
 }
 
 std::optional<StatedBacklash> DriveGeometry::stated_backlash(std::size_t mesh) const {

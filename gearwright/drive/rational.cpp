@@ -89,6 +89,7 @@ Rational Rational::frac() const { return *this - floor(); }
 
 Rational operator+(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
+  if (a.q_ == 1 && b.q_ == 1 && are_short(a.p_, b.p_)) return {a.p_ + b.p_, 1};
   const Wide d = common_divisor(a.q_, b.q_);
   const auto left = product(a.p_, divided(b.q_, d)), right = product(b.p_, divided(a.q_, d));
   const auto p = left && right ? sum(*left, *right) : std::nullopt,
@@ -98,13 +99,14 @@ Rational operator+(const Rational& a, const Rational& b) {
 
 Rational operator*(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
+  if (a.q_ == 1 && b.q_ == 1 && are_short(a.p_, b.p_)) return {a.p_ * b.p_, 1};
   // Common factors of a numerator and the denominator of the other fraction are cancelled before
   // the multiplication. The products are then in lowest terms and as small as possible.
   const Wide d = common_divisor(a.p_, b.q_);
   const Wide e = common_divisor(b.p_, a.q_);
   const auto p = product(divided(a.p_, d), divided(b.p_, e));
   const auto q = product(divided(a.q_, e), divided(b.q_, d));
-  return p && q ? Rational::lowest(*p, *q) : Rational::too_large();
+  return p && q ? Rational(*p, *q) : Rational::too_large();
 }
 
 Rational operator/(const Rational& a, const Rational& b) {
@@ -134,13 +136,16 @@ std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns) 
     while (pivot < rows.size() && rows[pivot][column].zero()) ++pivot;
     if (pivot == rows.size()) continue;
     std::swap(rows[top], rows[pivot]);
+    // Most entries of the rows of a drive are 0 and stay 0, unless a fraction has overflow.
     const Rational lead = rows[top][column];
-    for (Rational& x : rows[top]) x = x / lead;
+    for (Rational& x : rows[top])
+      if (!(x.zero() && lead.fits())) x = x / lead;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Rational factor = rows[i][column];
       if (i == top || factor.zero()) continue;
       for (std::size_t j = 0; j < rows[i].size(); ++j)
-        rows[i][j] = rows[i][j] - factor * rows[top][j];
+        if (!(rows[top][j].zero() && factor.fits()))
+          rows[i][j] = rows[i][j] - factor * rows[top][j];
     }
     pivots.push_back(column);
   }

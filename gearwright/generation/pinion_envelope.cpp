@@ -1,8 +1,8 @@
 #include "gearwright/generation/pinion_envelope.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
@@ -15,20 +15,24 @@ namespace gearwright {
 
 namespace {
 
-// Returns the roots of f between a and b. For the curves of a tooth, the cells are so narrow that
-// each contains at most one root.
-std::vector<double> sign_changes(const std::function<double(double)>& f, double a, double b) {
+// Returns the roots between a and b of each of several functions, which are computed together. For
+// the curves of a tooth, the cells are so narrow that each contains at most one root.
+template <std::size_t n, class F>
+std::array<std::vector<double>, n> sign_changes(const F& f, double a, double b) {
   constexpr int kCells = 256;
-  std::vector<double> roots;
+  std::array<std::vector<double>, n> roots;
   double t = a;
-  double value = f(a);
+  std::array<double, n> values = f(a);
   for (int i = 1; i <= kCells; ++i) {
     const double next = i == kCells ? b : a + (b - a) * i / kCells;
-    const double there = f(next);
-    if ((value < 0.0) != (there < 0.0))
-      roots.push_back(find_root(f, std::min(t, next), std::max(t, next)).x);
+    const std::array<double, n> there = f(next);
+    for (std::size_t k = 0; k < n; ++k) {
+      if ((values[k] < 0.0) == (there[k] < 0.0)) continue;
+      const auto of_k = [&](double at) { return f(at)[k]; };
+      roots[k].push_back(find_root(of_k, std::min(t, next), std::max(t, next)).x);
+    }
     t = next;
-    value = there;
+    values = there;
   }
   return roots;
 }
@@ -47,10 +51,15 @@ CurvePoint CornerFan::at(double nu) const {
   return {point_, nu - kPi / 2, -std::numeric_limits<double>::infinity()};
 }
 
+// The angles are computed only on request, because most functions do not use them.
 struct PinionEnvelope::Contact {
-  double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
-  double curvature;               // k of the cutter's curve, followed from root to tip
+  double s, q, w;
+  double curvature;  // k of the cutter's curve, followed from root to tip
   double lambda() const { return w - q; }
+  double kappa() const { return std::atan2(s, w); }
+  // ϑ = ν − κ. ν lies in the half turn that begins at the polar angle, which is continuous along
+  // the curve.
+  double turned(double polar_angle) const { return polar_angle + std::atan2(s, q) - kappa(); }
 };
 
 PinionEnvelope::PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
@@ -77,10 +86,6 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   // same point.
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
-  c.kappa = std::atan2(c.s, c.w);
-  // ν lies in the half turn that begins at the polar angle. The polar angle is continuous along the
-  // curve.
-  c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
   c.curvature = walk_ * p.curvature;
   return c;
 }
@@ -92,7 +97,8 @@ Vec2 PinionEnvelope::point(double t) const {
   // is used instead.
   const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
   const double across = c.lambda() * c.s / r_p_;
-  const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
+  const double turn =
+      kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned(cutter_->polar_angle(t));
   const double cos_t = std::cos(turn);
   const double sin_t = std::sin(turn);
   return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
@@ -101,7 +107,7 @@ Vec2 PinionEnvelope::point(double t) const {
 double PinionEnvelope::polar_angle(double t) const {
   const Contact c = contact(t);
   const double along = motion_.side() * (r_g_ + c.lambda() * c.w / r_p_);
-  return kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
+  return kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned(cutter_->polar_angle(t)) +
          std::atan2(c.lambda() * c.s / r_p_, along);
 }
 
@@ -121,8 +127,9 @@ CurvePoint PinionEnvelope::at(double t) const {
   }
   const double side = motion_.side();
   const double direction = walk_ * meeting_ * below;  // > 0 if t grows along `tangent`
-  const double tangent = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
-                         side * (c.kappa + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
+  const double tangent = kPi / std::abs(motion_.teeth) -
+                         std::abs(m_) * c.turned(cutter_->polar_angle(t)) +
+                         side * (c.kappa() + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
   return {point(t), tangent + (direction < 0.0 ? kPi : 0.0),
           side * above / below * (direction < 0.0 ? -1.0 : 1.0)};
 }
@@ -182,12 +189,12 @@ std::vector<double> PinionEnvelope::breaks(double a, double b) const {
   const auto ring = circle();
   std::vector<double> found;
   if (!ring) {
-    found = sign_changes([&](double t) { return contact(t).s - r_p_; }, a, b);
-    const auto w_g = [&](double t) {
+    const auto reach_and_w_g = [&](double t) {
       const Contact c = contact(t);
-      return c.w + n * c.lambda() * (1.0 - c.curvature * c.lambda());
+      return std::array{c.s - r_p_, c.w + n * c.lambda() * (1.0 - c.curvature * c.lambda())};
     };
-    for (double t : sign_changes(w_g, a, b)) found.push_back(t);
+    for (const auto& roots : sign_changes<2>(reach_and_w_g, a, b))
+      found.insert(found.end(), roots.begin(), roots.end());
     return in_order(std::move(found), a, b);
   }
   const auto [d, gamma, rho, nu_to_t] = *ring;
@@ -225,9 +232,9 @@ std::vector<double> PinionEnvelope::turns(double a, double b) const {
   if (!ring) {
     const auto f = [&](double t) {
       const Contact c = contact(t);
-      return c.q - c.w * one;
+      return std::array{c.q - c.w * one};
     };
-    return in_order(sign_changes(f, a, b), a, b);
+    return in_order(std::move(sign_changes<1>(f, a, b)[0]), a, b);
   }
   const auto [d, gamma, rho, nu_to_t] = *ring;
   // D cos(ν − γ) + ρ = w (1 + 1/m), multiplied by 2h.

@@ -1,5 +1,7 @@
 #include "gearwright/generation/rack_envelope.hpp"
 
+#include <array>
+#include <cmath>
 #include <numbers>
 
 #include "gearwright/math/involute.hpp"
@@ -12,12 +14,29 @@ RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
   circle_.center.x() += motion.shift;
 }
 
-Vec2 RackTrochoid::point(double tau) const {
-  const auto [x, k, phi] = cut(std::sin(tau), std::cos(tau));
-  const double u = motion_.pitch_radius + x;
+namespace {
+
+// u + ik, turned by φ.
+Vec2 turned_by(double phi, double u, double k) {
   const double sin_phi = std::sin(phi);
   const double cos_phi = std::cos(phi);
   return {u * cos_phi - k * sin_phi, u * sin_phi + k * cos_phi};
+}
+
+// The coefficients of F as a polynomial in s = sin τ. [T3.9]
+std::array<double, 5> cusp_coefficients(const RackMotion& motion, const EdgeCircle& circle) {
+  const double cos2 = motion.cos_beta * motion.cos_beta;
+  const double sin2 = 1.0 - cos2;
+  const double q = circle.q, x_c = circle.center.x();
+  return {-cos2 * x_c * x_c, -cos2 * x_c * q, 0.0, q * (motion.pitch_radius + sin2 * x_c),
+          sin2 * q * q};
+}
+
+}  // namespace
+
+Vec2 RackTrochoid::point(double tau) const {
+  const auto [x, k, phi] = cut(std::sin(tau), std::cos(tau));
+  return turned_by(phi, motion_.pitch_radius + x, k);
 }
 
 double RackTrochoid::polar_angle(double tau) const {
@@ -46,20 +65,17 @@ CurvePoint RackTrochoid::at(double tau) const {
   const double tau_t = std::atan2(s, cb * c);
   const double square = s * s + cb * cb * c * c;
   // dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β). [T3.9]
-  const double f = evaluate_polynomial(cusp_polynomial(), s);
+  const double f = evaluate_polynomial(cusp_coefficients(motion_, circle_), s);
   const double v = f * std::sqrt(square) / (s * s * s * r * cb);
   const double phi_1 = (-q * s / cb - (q * c * c * cb / s - x * cb / (s * s))) / r;
   const double turn = phi_1 - cb / square;
-  return {point(tau), phi - tau_t + (v < 0.0 ? std::numbers::pi : 0.0), turn / std::abs(v)};
+  return {turned_by(phi, r + x, k), phi - tau_t + (v < 0.0 ? std::numbers::pi : 0.0),
+          turn / std::abs(v)};
 }
 
 std::vector<double> RackTrochoid::cusp_polynomial() const {
-  const double r = motion_.pitch_radius;
-  const double cos2 = motion_.cos_beta * motion_.cos_beta;
-  const double sin2 = 1.0 - cos2;
-  const double q = circle_.q;
-  const double x_c = circle_.center.x();
-  return {-cos2 * x_c * x_c, -cos2 * x_c * q, 0.0, q * (r + sin2 * x_c), sin2 * q * q};
+  const auto f = cusp_coefficients(motion_, circle_);
+  return {f.begin(), f.end()};
 }
 
 std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) const {

@@ -16,7 +16,11 @@ Json warnings_json(const std::vector<Warning>& warnings) {
 }
 
 Json titled_record(const JobSpec& spec) {
-  Json record = Json::object();
+  // The members of an object are copied when its vector grows, so the vector has room for all
+  // members of an answer.
+  constexpr std::size_t kMembers = 8;
+  Json::object_t record;
+  record.reserve(kMembers);
   if (!spec.title.empty()) record["title"] = spec.title;
   return record;
 }
@@ -213,19 +217,22 @@ namespace {
 struct JsonWriter {
   Json operator()(std::monostate) const { return nullptr; }
   Json operator()(const ValueList& list) const {
-    Json j = Json::array();
+    Json::array_t j;
+    j.reserve(list.size());
     for (const Value& v : list) j.push_back(to_json(v));
     return j;
   }
   Json operator()(const ValueRecord& record) const {
-    Json j = Json::object();
+    Json::object_t j;
+    j.reserve(record.size());
     for (const Member& m : record) {
       if (m.info->doors & kJson) j[m.info->key] = to_json(m.value);
     }
     return j;
   }
   Json operator()(const ValueMap& map) const {
-    Json j = Json::object();
+    Json::object_t j;
+    j.reserve(map.size());
     for (const auto& [name, value] : map) j[name] = to_json(value);
     return j;
   }

@@ -351,14 +351,16 @@ constexpr Verb kVerbs[] = {
      table_of<fit_quantities>},
 };
 
-}  // namespace
-
-Json answer_json(const Answer& answer) {
-  Json json = answer.record;
+Json with_verdict(Json json, const Answer& answer) {
   if (answer.verdict || !answer.warnings.empty()) json["warnings"] = warnings_json(answer.warnings);
   if (answer.verdict) json["verdict"] = verdict_json(*answer.verdict);
+  if (answer.units == UnitSystem::mm) return json;
   return in_units(answer.units, json);
 }
+
+}  // namespace
+
+Json answer_json(const Answer& answer) { return with_verdict(answer.record, answer); }
 
 std::string answer_text(const Answer& answer) {
   return answer.listing() + warning_listing(answer.warnings, answer.units) +
@@ -400,9 +402,10 @@ Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* p
                                      : spec.gears[1] || spec.rack ? "pair"
                                                                   : "gear");
   GW_EXPECTS(verb != nullptr);
-  const auto answer = verb->run(spec, progress);
-  if (!answer) return answer.error();
-  return answer_json(*answer);
+  auto found = verb->run(spec, progress);
+  if (!found) return found.error();
+  Answer answer = std::move(found).take();
+  return with_verdict(std::move(answer.record), answer);
 }
 
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,

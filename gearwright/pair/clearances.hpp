@@ -25,6 +25,10 @@ std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
                                      const std::array<double, 2>& root_radius,
                                      double center_distance, double side);
 
+/// The extended centre distance a_d + σ (x1 + x2) m_n, mm. The difference of the centre distance from
+/// it, times σ, is the tip shortening. [T2.18], [T2.21]
+double extended_center_distance(const Gear& gear_1, const Gear& gear_2);
+
 /// Returns d_Nf/2 of each gear, mm, or none if the mating tip extends beyond the base tangent
 /// point. [T2.25]
 std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>& input,
@@ -35,5 +39,8 @@ std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>&
 /// plus `margin` mm. Returns none if the present tip diameter already has this effect, or if the
 /// mating gear has no usable flank or no outline.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
+/// The same for two gears and their mesh, which need not be mounted.
+std::optional<double> tip_that_clears(const std::array<const Gear*, 2>& gears,
+                                      const Mesh<double>& mesh, int tip, double margin);
 
 }  // namespace gearwright

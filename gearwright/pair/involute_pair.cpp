@@ -8,6 +8,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/clearances.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/interference.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
@@ -212,9 +213,7 @@ void find_distances(InvolutePair& p) {
   const Gear& g2 = p.gears[1];
   const double sigma = p.side();
   p.reference_center_distance = (g2.reference_diameter + sigma * g1.reference_diameter) / 2;
-  const double x_m_1 = g1.spec.profile_shift * g1.spec.normal_module;
-  const double x_m_2 = g2.spec.profile_shift * g2.spec.normal_module;
-  p.extended_center_distance = p.reference_center_distance + sigma * (x_m_1 + x_m_2);
+  p.extended_center_distance = extended_center_distance(g1, g2);
   p.tip_shortening = sigma * (p.center_distance - p.extended_center_distance);
 }
 

@@ -65,12 +65,12 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 }
 
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
-                             const FigureForm& form) {
+                             const FigureForm& form, std::string_view head) {
   std::string figures;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
     figures += form.html(arc_mesh_figure(pair, i, shapes), kPlaneFigure);
-  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}</section>\n",
-                     side_by_side(figures), pair_table(pair, form.units));
+  return fmt::format("<section class=\"pair\">\n{}{}{}</section>\n", head, side_by_side(figures),
+                     pair_table(pair, form.units));
 }
 
 }  // namespace gearwright

@@ -144,16 +144,18 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto& pair = drive.geometry.pairs[m];
     const auto& rack = drive.geometry.racks[m];
-    const ParallelPair* const parallel = pair ? pair->parallel() : nullptr;
-    if (!parallel && !rack) continue;
+    if (!pair && !rack) continue;
     const DriveMesh& mesh = drive.graph.meshes[m];
     const std::string head = fmt::format(
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
     const FigureForm form{units, fmt::format("mesh{}-", m + 1)};
     const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), rack_shape_name(drive, m)};
-    text += rack ? rack_section(*rack, shapes, form, head)
-                 : pair_section(*parallel, shapes, form, head);
+    // The axes of a drive are parallel, so a pair without involute teeth has circular arcs.
+    const ParallelPair* const involutes = drive.geometry.involutes(m);
+    text += rack        ? rack_section(*rack, shapes, form, head)
+            : involutes ? pair_section(*involutes, shapes, form, head)
+                        : arc_pair_section(*pair->arcs(), shapes, form, head);
   }
   return text;
 }

@@ -50,9 +50,9 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<KDiagram>& diagrams, UnitSystem units);
 
 /// A pair of circular-arc gears: its quantities, and a picture of each contact in the transverse
-/// section through the contact point.
+/// section through the contact point. `head` is as in pair_section().
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
-                             const FigureForm& form);
+                             const FigureForm& form, std::string_view head = "<h2>Pair</h2>\n");
 
 /// The rotations of both gears in the transverse section through a contact point, as
 /// counter-clockwise angles of their x axes, rad.

@@ -211,6 +211,17 @@ torque_Nm = 5
             said = f"The least backlash is {normal:.4f} mm." if normal >= 5e-5 else "There is no backlash in the mesh m."
             self.assertIn(said, answer["verdict"]["headline"])
 
+    def test_a_mesh_of_circular_arcs_has_its_section_in_the_report(self):
+        arcs = tomllib.loads((SOURCE / "examples/circular_arc_drive.toml").read_text())
+        gears = [{key: value for key, value in arcs[f"gear{i}"].items() if key != "bore"} for i in (1, 2)]
+        made = Run("run", json.dumps({"stage": [{"gears": gears}]}), "--out", "o", "--only", "result,report", "--json",
+                   name="drive.json")
+        self.assertEqual(made.status, 0, made.err)
+        page = (made.folder / "o/report.html").read_text()
+        (name,) = made.json["drive"]["meshes"]
+        self.assertTrue(re.search(f">Mesh {name}</h2>", page))
+        self.assertTrue('id="mesh1-contact1"' in page)
+
     def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
         run = Run("contact", SET)
         self.assertEqual(run.status, 1)
