@@ -151,6 +151,14 @@ std::vector<Eigen::MatrixXd> fields_along_helix(const StripSolver& strip, const 
   return fields;
 }
 
+// The matrices of arbitrary functions of z, from the matrices of waves and without a helix. B has
+// the opposite sign in the columns of u and v.
+SectionMatrices not_of_waves(SectionMatrices wave) {
+  for (Eigen::Index j = 0; j < wave.ab.cols(); ++j)
+    if (j % 3 < 2) wave.ab.col(j) *= -1.0;
+  return wave;
+}
+
 // The product of a matrix and the modes, in two parts: the rows of the degrees of freedom u and v,
 // and the rows of w. The columns of `across` are the modes with displacements in the plane of the
 // section, and the columns of `along` are the modes with displacements along the axis.
@@ -210,12 +218,15 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress) {
   const Matrix6 law = hooke(1.0, poisson_ratio);
-  const SectionMatrices wave = section_matrices(mesh, law, 0.0, true);
-  const SectionMatrices own = section_matrices(mesh, law, tau, false);
+  SectionMatrices wave = section_matrices(mesh, law, 0.0, true);
+  SectionMatrices own;
   const StripSolver strip(mesh, wave);
   std::vector<Eigen::MatrixXd> fields =
       fields_of_a_spur(strip, mesh, wave, poisson_ratio, places, tau, progress);
-  if (tau != 0.0) append(fields, fields_along_helix(strip, mesh, own, places, tau, progress));
+  if (tau != 0.0) {
+    own = section_matrices(mesh, law, tau, false);
+    append(fields, fields_along_helix(strip, mesh, own, places, tau, progress));
+  }
   const RowMajor snapshots = side_by_side(fields);
 
   const Sparse energy = (wave.aa + wave.bb).pruned();
@@ -232,6 +243,7 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
     modes.fields.block(3 * i, 0, 2, across.cols()) = across.middleRows(2 * i, 2);
     modes.fields.row(3 * i + 2).tail(along.cols()) = along.row(i);
   }
+  if (tau == 0.0) own = not_of_waves(std::move(wave));
   modes.matrices = projected(own, across, along, progress);
   return modes;
 }
