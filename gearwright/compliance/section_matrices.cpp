@@ -1,7 +1,6 @@
 #include "gearwright/compliance/section_matrices.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "gearwright/base/contract.hpp"
@@ -63,36 +62,6 @@ class BlockPattern {
   std::vector<std::vector<int>> beside_;
   std::vector<int> first_;  // index of the first entry of each column
 };
-
-// The unconstrained nodes in approximate minimum degree order, which keeps the factors sparse.
-std::vector<int> elimination_order(const SectionMesh& mesh) {
-  std::vector<int> place(mesh.nodes.size(), 0);
-  for (const int i : mesh.bore) place[i] = -1;
-  std::vector<int> free;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    if (place[i] == 0) {
-      place[i] = static_cast<int>(free.size());
-      free.push_back(static_cast<int>(i));
-    }
-  std::vector<Eigen::Triplet<double>> beside;
-  for (const auto& e : mesh.elements)
-    for (const int j : e)
-      for (const int i : e)
-        if (place[i] >= 0 && place[j] >= 0) beside.emplace_back(place[i], place[j], 1.0);
-  const auto n = static_cast<Eigen::Index>(free.size());
-  Sparse graph(n, n);
-  graph.setFromTriplets(beside.begin(), beside.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(graph, order);
-  std::vector<int> out;
-  for (Eigen::Index i = 0; i < n; ++i) out.push_back(free[order.indices()[i]]);
-  return out;
-}
-
-// An entry of the matrix that is multiplied by k in K(k) of [T12.6]. `ab` and `ba` are the
-// corresponding entries of the matrices ab and abᵀ.
-double between(double ab, double ba, double) { return ab + ba; }
-std::complex<double> between(double ab, double ba, std::complex<double>) { return {0.0, ab - ba}; }
 
 }  // namespace
 
@@ -199,74 +168,5 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
   for (const int i : mesh.bore) out.row(3 * i + 2).setZero();
   return out;
 }
-
-template <class Scalar>
-struct StripSolver<Scalar>::Parts {
-  std::vector<Eigen::Index> free;  // unconstrained degrees of freedom, in the order of elimination
-  // Upper triangles of the matrices that are multiplied by 1, k and k² in K(k) [T12.6], for the
-  // degrees of freedom in `free`. All three have the same sparsity pattern.
-  std::array<Eigen::SparseMatrix<Scalar>, 3> k;
-};
-
-template <class Scalar>
-StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices)
-    : parts_(std::make_unique<Parts>()) {
-  const Eigen::Index n = matrices.aa.rows();
-  const std::vector<int> order = elimination_order(mesh);
-  std::vector<int> place(static_cast<std::size_t>(n), -1);
-  for (const int i : order)
-    for (int c = 0; c < 3; ++c) {
-      place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
-      parts_->free.push_back(3 * i + c);
-    }
-  // Each of the three matrices has an entry for every pair of degrees of freedom that share an
-  // element.
-  const Sparse back = matrices.ab.transpose();
-  const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
-  const auto size = static_cast<Eigen::Index>(parts_->free.size());
-  std::vector<Eigen::Triplet<Scalar>> entries;
-  entries.reserve(static_cast<std::size_t>(matrices.aa.nonZeros()) * 5 / 8);
-  for (int m = 0; m < 3; ++m) {
-    entries.clear();
-    for (const Eigen::Index j : parts_->free) {
-      Sparse::InnerIterator other(back, j);
-      for (Sparse::InnerIterator it(*from[m], j); it; ++it, ++other) {
-        const int row = place[it.row()];
-        if (row < 0 || row > place[j]) continue;
-        entries.emplace_back(row, place[j],
-                             m == 1 ? between(it.value(), other.value(), Scalar()) : it.value());
-      }
-    }
-    parts_->k[m].resize(size, size);
-    parts_->k[m].setFromTriplets(entries.begin(), entries.end());
-  }
-}
-
-template <class Scalar>
-StripSolver<Scalar>::~StripSolver() = default;
-
-template <class Scalar>
-typename StripSolver<Scalar>::Fields StripSolver<Scalar>::solve(
-    double k, const Eigen::MatrixXd& loads) const {
-  const Parts& p = *parts_;
-  using Matrix = Eigen::SparseMatrix<Scalar>;
-  Matrix matrix = p.k[0];
-  const Eigen::Index count = matrix.nonZeros();
-  using Values = Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>;
-  Eigen::Map<Eigen::Array<Scalar, Eigen::Dynamic, 1>>(matrix.valuePtr(), count) +=
-      k * Values(p.k[1].valuePtr(), count) + k * k * Values(p.k[2].valuePtr(), count);
-  const Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor(matrix);
-  GW_ENSURES(factor.info() == Eigen::Success);
-  Fields right(static_cast<Eigen::Index>(p.free.size()), loads.cols());
-  for (std::size_t i = 0; i < p.free.size(); ++i)
-    right.row(i) = loads.row(p.free[i]).template cast<Scalar>();
-  const Fields x = factor.solve(right);
-  Fields out = Fields::Zero(loads.rows(), loads.cols());
-  for (std::size_t i = 0; i < p.free.size(); ++i) out.row(p.free[i]) = x.row(i);
-  return out;
-}
-
-template class StripSolver<double>;
-template class StripSolver<std::complex<double>>;
 
 }  // namespace gearwright::detail

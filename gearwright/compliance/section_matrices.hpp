@@ -8,9 +8,6 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <complex>
-#include <memory>
-#include <vector>
 
 #include "gearwright/compliance/q9.hpp"
 #include "gearwright/compliance/section_mesh.hpp"
@@ -44,27 +41,5 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
 /// Returns the trace ε_x + ε_y of each displacement field. At each node, the trace is averaged over
 /// the elements and stored as the component w of the node. At the bore, it is set to 0.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
-/// Solves for displacements that vary along the face as waves with the wave number k. Only
-/// unconstrained nodes are included. [T12.6], [T12.18]
-///
-///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
-///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
-template <class Scalar>
-class StripSolver {
- public:
-  using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-
-  /// If Scalar is double, `matrices` must be made with `wave` true. If Scalar is complex, they
-  /// must be made with `wave` false.
-  StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
-  ~StripSolver();
-  /// Displacements of all degrees of freedom under the columns of `loads`. If k = 0 and τ = 0, the
-  /// loads must have no axial component. Each call factorises K(k). Thread-safe.
-  Fields solve(double k, const Eigen::MatrixXd& loads) const;
-
- private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
-};
 
 }  // namespace gearwright::detail

@@ -1,10 +1,15 @@
 #include "gearwright/compliance/section_modes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
+#include <complex>
 #include <iterator>
+#include <span>
+#include <utility>
 
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/compliance/strip_solver.hpp"
 
 namespace gearwright::detail {
 
@@ -80,12 +85,32 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
+// The displacements of all waves. The result does not depend on the number of threads.
+template <class Scalar>
+std::vector<StripSolver::Fields<Scalar>> solved(const StripSolver& strip,
+                                                const std::vector<StripWave>& waves,
+                                                Progress* progress) {
+  constexpr std::size_t kTogether = StripSolver::kTogether<Scalar>;
+  std::vector<StripSolver::Fields<Scalar>> fields(waves.size());
+  parallel_for((waves.size() + kTogether - 1) / kTogether, [&](std::size_t group) {
+    const std::size_t first = group * kTogether;
+    const std::size_t count = std::min(kTogether, waves.size() - first);
+    auto some = strip.solve<Scalar>(std::span(waves).subspan(first, count));
+    for (std::size_t i = 0; i < count; ++i) {
+      count_step(progress);
+      fields[first + i] = std::move(some[i]);
+    }
+  });
+  return fields;
+}
+
 // Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due
 // to plane strain and to plane stress. The warping accounts for the unloaded end faces. If τ ≠
 // 0, waves under axial loads are added.
-std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
-                                              double nu, const std::vector<BumpPlace>& places,
-                                              double tau, Progress* progress) {
+std::vector<Eigen::MatrixXd> fields_of_a_spur(const StripSolver& strip, const SectionMesh& mesh,
+                                              const SectionMatrices& wave, double nu,
+                                              const std::vector<BumpPlace>& places, double tau,
+                                              Progress* progress) {
   std::vector<Functional> loads;
   for (const auto& [s, c] : places) loads.push_back(bump(mesh, s, c, 0.0));
   const Eigen::Index n = wave.aa.rows();
@@ -93,20 +118,15 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const Sec
   if (tau != 0.0)
     for (const auto& [s, c] : places) loads.push_back(axial_bump(mesh, s, c));
   const Eigen::MatrixXd every = columns(loads, n);
-  const StripSolver<double> strip(mesh, wave);
+  const Matrix6 plane_stress = hooke((1 + 2 * nu) / ((1 + nu) * (1 + nu)), nu / (1 + nu));
+  const SectionMatrices thin = section_matrices(mesh, plane_stress, 0.0, true);
+  std::vector<StripWave> waves;
+  for (const double k : kWaves) waves.push_back({&wave, k, &every});
   constexpr std::size_t kPlaneStrain = kWaves.size();
   constexpr std::size_t kPlaneStress = kPlaneStrain + 1;
-  std::vector<Eigen::MatrixXd> fields(kPlaneStress + 1);
-  parallel_for(fields.size(), [&](std::size_t i) {
-    count_step(progress);
-    if (i == kPlaneStress) {
-      const Matrix6 thin = hooke((1 + 2 * nu) / ((1 + nu) * (1 + nu)), nu / (1 + nu));
-      const StripSolver<double> of_thin(mesh, section_matrices(mesh, thin, 0.0, true));
-      fields[i] = of_thin.solve(0.0, in_plane);
-    } else {
-      fields[i] = i == kPlaneStrain ? strip.solve(0.0, in_plane) : strip.solve(kWaves[i], every);
-    }
-  });
+  waves.push_back({&wave, 0.0, &in_plane});
+  waves.push_back({&thin, 0.0, &in_plane});
+  std::vector<Eigen::MatrixXd> fields = solved<double>(strip, waves, progress);
   fields.push_back(trace_fields(mesh, fields[kPlaneStrain]));
   fields.push_back(trace_fields(mesh, fields[kPlaneStress]));
   return fields;
@@ -114,21 +134,29 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const Sec
 
 // Real and imaginary parts of waves that follow the helix, under loads along the normal of the
 // screw surface. [T12.18]
-std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const SectionMatrices& own,
+std::vector<Eigen::MatrixXd> fields_along_helix(const StripSolver& strip, const SectionMesh& mesh,
+                                                const SectionMatrices& own,
                                                 const std::vector<BumpPlace>& places, double tau,
                                                 Progress* progress) {
   std::vector<Functional> screw;
   for (const auto& [s, c] : places) screw.push_back(bump(mesh, s, c, tau));
   const Eigen::MatrixXd loads = columns(screw, own.aa.rows());
-  const StripSolver<std::complex<double>> strip(mesh, own);
-  std::vector<Eigen::MatrixXd> fields(kHelixWaves.size());
-  parallel_for(fields.size(), [&](std::size_t i) {
-    count_step(progress);
-    const Eigen::MatrixXcd x = strip.solve(kHelixWaves[i], loads);
-    fields[i].resize(x.rows(), 2 * x.cols());
-    fields[i] << x.real(), x.imag();
-  });
+  std::vector<StripWave> waves;
+  for (const double k : kHelixWaves) waves.push_back({&own, k, &loads});
+  std::vector<Eigen::MatrixXd> fields;
+  for (const Eigen::MatrixXcd& x : solved<std::complex<double>>(strip, waves, progress)) {
+    Eigen::MatrixXd& parts = fields.emplace_back(x.rows(), 2 * x.cols());
+    parts << x.real(), x.imag();
+  }
   return fields;
+}
+
+// The matrices of arbitrary functions of z, from the matrices of waves and without a helix. B has
+// the opposite sign in the columns of u and v.
+SectionMatrices not_of_waves(SectionMatrices wave) {
+  for (Eigen::Index j = 0; j < wave.ab.cols(); ++j)
+    if (j % 3 < 2) wave.ab.col(j) *= -1.0;
+  return wave;
 }
 
 // The product of a matrix and the modes, in two parts: the rows of the degrees of freedom u and v,
@@ -181,19 +209,24 @@ ModeMatrices projected(const SectionMatrices& own, const RowMajor& across, const
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads) {
   const SectionMatrices wave = section_matrices(mesh, hooke(1.0, poisson_ratio), 0.0, true);
-  const StripSolver<double> strip(mesh, wave);
-  return strip.solve(0.0, columns(loads, wave.aa.rows()));
+  const Eigen::MatrixXd right = columns(loads, wave.aa.rows());
+  const StripWave constant{&wave, 0.0, &right};
+  return StripSolver(mesh, wave).solve<double>({&constant, 1}).front();
 }
 
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress) {
   const Matrix6 law = hooke(1.0, poisson_ratio);
-  const SectionMatrices wave = section_matrices(mesh, law, 0.0, true);
-  const SectionMatrices own = section_matrices(mesh, law, tau, false);
+  SectionMatrices wave = section_matrices(mesh, law, 0.0, true);
+  SectionMatrices own;
+  const StripSolver strip(mesh, wave);
   std::vector<Eigen::MatrixXd> fields =
-      fields_of_a_spur(mesh, wave, poisson_ratio, places, tau, progress);
-  if (tau != 0.0) append(fields, fields_along_helix(mesh, own, places, tau, progress));
+      fields_of_a_spur(strip, mesh, wave, poisson_ratio, places, tau, progress);
+  if (tau != 0.0) {
+    own = section_matrices(mesh, law, tau, false);
+    append(fields, fields_along_helix(strip, mesh, own, places, tau, progress));
+  }
   const RowMajor snapshots = side_by_side(fields);
 
   const Sparse energy = (wave.aa + wave.bb).pruned();
@@ -210,6 +243,7 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
     modes.fields.block(3 * i, 0, 2, across.cols()) = across.middleRows(2 * i, 2);
     modes.fields.row(3 * i + 2).tail(along.cols()) = along.row(i);
   }
+  if (tau == 0.0) own = not_of_waves(std::move(wave));
   modes.matrices = projected(own, across, along, progress);
   return modes;
 }

@@ -1,0 +1,69 @@
+// Solves for displacements of a section that vary along the face as waves. [T12.6], [T12.18]
+//
+// The matrices of all waves have the same entries that are not zero, so the order of elimination and
+// the entries of the factors are found once. The factors L D Lᴴ of several waves are computed
+// together, which reads each index once for all of them.
+//                                                theory: docs/theory/12-loaded-contact.md
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "gearwright/compliance/section_matrices.hpp"
+
+namespace gearwright::detail {
+
+/// A wave with the wave number k, under loads with a row for each degree of freedom.
+struct StripWave {
+  const SectionMatrices* matrices;
+  double k;
+  const Eigen::MatrixXd* loads;
+};
+
+class StripSolver {
+ public:
+  template <class Scalar>
+  using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  /// The number of waves that are solved together.
+  template <class Scalar>
+  static constexpr int kTogether = 4;
+
+  /// `pattern` are any matrices of the section.
+  StripSolver(const SectionMesh& mesh, const SectionMatrices& pattern);
+  /// Displacements of all degrees of freedom under the columns of the loads of each wave. Only
+  /// unconstrained nodes move. Thread-safe.
+  ///
+  ///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz
+  ///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz)
+  ///
+  /// Domain    at most kTogether waves; τ = 0 and matrices made with `wave` true if Scalar is
+  ///           double, and with `wave` false otherwise; no axial loads if k = 0 and τ = 0 (contract)
+  template <class Scalar>
+  std::vector<Fields<Scalar>> solve(std::span<const StripWave> waves) const;
+
+ private:
+  template <class Scalar, int N>
+  class Factor;
+  template <class Scalar, int N>
+  std::vector<Fields<Scalar>> solve_together(std::span<const StripWave> waves) const;
+  void find_factor_entries();
+
+  std::vector<int> free_;  // unconstrained degrees of freedom, in the order of elimination
+  // Entries of the upper triangle of K, column by column: row, and index in the values of
+  // SectionMatrices of the entry and of its mirror image in the diagonal.
+  struct Entry {
+    int row, at, mirrored;
+  };
+  std::vector<int> upper_begin_;  // index of the first entry of each column
+  std::vector<Entry> upper_;
+  // Entries of L below the diagonal. Rows of L have the order in which elimination uses them.
+  std::vector<int> row_begin_, column_of_;    // row by row: columns
+  std::vector<int> lower_begin_, lower_row_;  // column by column: rows
+};
+
+template <>
+inline constexpr int StripSolver::kTogether<std::complex<double>> = 3;
+
+}  // namespace gearwright::detail
