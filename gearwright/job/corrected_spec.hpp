@@ -32,8 +32,6 @@ bool at_bound(const Correction& range, double value);
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound);
 
-/// The error for `field` if this build lacks the minimiser that computes corrections.
-std::optional<Error> needs_minimiser(const char* field);
 
 /// The tree with its plain values moved before its tables, as a TOML file requires.
 Json plain_first(const Json& tree);
