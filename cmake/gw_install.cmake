@@ -43,7 +43,7 @@ set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 set(pc_requires "eigen3")
-set(pc_requires_private "fmt, tomlplusplus, zlib, tbb, nlopt, libhwy, libzstd, sqlite3")
+set(pc_requires_private "fmt, tomlplusplus, zlib, tbb, libhwy, libzstd, sqlite3")
 if(NOT BUILD_SHARED_LIBS)
   # A static archive requires its dependencies both with and without --static.
   string(APPEND pc_requires ", ${pc_requires_private}")
@@ -82,8 +82,8 @@ if(PROJECT_IS_TOP_LEVEL)
   endforeach()
   set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-      "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, zlib1g-dev, libtbb-dev, libnlopt-cxx-dev, \
-libhwy-dev, libzstd-dev, libsqlite3-dev")
+      "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, zlib1g-dev, libtbb-dev, libhwy-dev, \
+libzstd-dev, libsqlite3-dev")
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS

@@ -1,4 +1,4 @@
-# A lean build, without oneTBB, NLopt, zlib, zstd, SQLite and Highway, none of which is available in
+# A lean build, without oneTBB, zlib, zstd, SQLite and Highway, none of which is available in
 # a browser.
 #
 #   X_without.cpp   replaces X.cpp in a lean build. It has the same functions without the library,
@@ -7,7 +7,6 @@
 #   X                      in a lean build                             missing
 #   base/parallel          processes one item after the other          oneTBB
 #   base/packing           own CRC-32, deflate and inflate of stb      zlib
-#   math/minimise          the verb compensate returns an error        NLopt
 #   design/candidate_simd  plain doubles                               Highway
 #   pair/closed_forms_simd plain doubles                               Highway
 #   contact/touch_lanes_simd  plain doubles                            Highway

@@ -12,21 +12,17 @@ set(CMAKE_FIND_ROOT_PATH ${GEARWRIGHT_LIBRARIES})
 set(BUILD_SHARED_LIBS OFF)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
-foreach(package NLopt TBB)
-  find_package(${package} REQUIRED CONFIG PATHS ${GEARWRIGHT_LIBRARIES} NO_DEFAULT_PATH)
-endforeach()
+find_package(TBB REQUIRED CONFIG PATHS ${GEARWRIGHT_LIBRARIES} NO_DEFAULT_PATH)
 foreach(library fmt hwy z zstd sqlite3 elementary)
   add_library(gw_${library} STATIC IMPORTED)
   set_target_properties(gw_${library} PROPERTIES
     IMPORTED_LOCATION ${GEARWRIGHT_LIBRARIES}/lib/lib${library}.a
     INTERFACE_INCLUDE_DIRECTORIES ${GEARWRIGHT_LIBRARIES}/include)
 endforeach()
-# NLopt uses the same elementary functions as the core. Otherwise it would name the C library's before them.
-set_target_properties(NLopt::nlopt PROPERTIES INTERFACE_LINK_LIBRARIES gw_elementary)
 add_library(fmt::fmt ALIAS gw_fmt)
 set(gw_elementary gw_elementary)
 set(gw_why_elementary "of musl's sources")
-set(gw_libraries gw_z TBB::tbb NLopt::nlopt Threads::Threads gw_hwy gw_zstd gw_sqlite3)
+set(gw_libraries gw_z TBB::tbb Threads::Threads gw_hwy gw_zstd gw_sqlite3)
 file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 # Highway compiles these files once for each instruction set and chooses one at run time.
 if(WIN32)

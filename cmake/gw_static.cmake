@@ -3,7 +3,7 @@
 #
 # It contains the same objects as the program that the tests run, so nothing is compiled again. Its
 # libraries come from tools/portable_libraries.sh, because Debian's packages contain no static
-# oneTBB, NLopt, Highway, fmt and toml++.
+# oneTBB, Highway, fmt and toml++.
 include_guard()
 
 if(NOT has_cli OR GEARWRIGHT_LEAN OR CMAKE_CROSSCOMPILING OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR
@@ -18,7 +18,7 @@ set_target_properties(gearwright_static PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NA
                       RUNTIME_OUTPUT_DIRECTORY ${gw_portable}/linux-x86_64)
 add_dependencies(gearwright_static gearwright)
 target_link_libraries(gearwright_static PRIVATE $<TARGET_FILE:gearwright>)
-foreach(library fmt tomlplusplus z tbb nlopt hwy zstd sqlite3)
+foreach(library fmt tomlplusplus z tbb hwy zstd sqlite3)
   target_link_libraries(gearwright_static PRIVATE ${gw_portable}/libraries/linux-x86_64/lib/lib${library}.a)
 endforeach()
 target_link_libraries(gearwright_static PRIVATE ${gw_elementary_file})

@@ -15,7 +15,7 @@ root=$PWD/build/portable
 sources=$root/sources
 into=$root/libraries/$target
 jobs=${JOBS:-$(nproc)}
-packages=(fmtlib zlib onetbb nlopt highway libzstd sqlite3 musl)
+packages=(fmtlib zlib onetbb highway libzstd sqlite3 musl)
 # A folder is complete if its file names these packages.
 complete() { [ "$(cat "$1/complete" 2>/dev/null)" = "${packages[*]}" ]; }
 complete "$into" && exit 0
@@ -148,9 +148,6 @@ zlib
 # oneTBB needs no speed, because the program calls it once for each item of a search or each position of a mesh.
 with_cmake "$(folder onetbb)" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF \
   -DTBB_FIND_PACKAGE=OFF
-# NLopt needs no speed either. The methods that are used are written in C.
-with_cmake "$(folder nlopt)" -DCMAKE_BUILD_TYPE=MinSizeRel -DNLOPT_CXX=OFF -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF \
-  -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF
 highway
 zstd
 sqlite

@@ -23,7 +23,6 @@ LINKED = {
     "libz.a": ("zlib", "zlib", "Zlib", "https://zlib.net"),
     "libtbb.a": ("onetbb", "oneTBB", "Apache-2.0", "https://github.com/oneapi-src/oneTBB"),
     "libtbb12.a": ("onetbb", "oneTBB", "Apache-2.0", "https://github.com/oneapi-src/oneTBB"),
-    "libnlopt.a": ("nlopt", "NLopt", "LGPL-2.1-or-later AND MIT", "https://nlopt.readthedocs.io"),
     "libhwy.a": ("highway", "Highway", "Apache-2.0", "https://github.com/google/highway"),
     "libzstd.a": ("libzstd", "Zstandard", "BSD-3-Clause", "https://facebook.github.io/zstd"),
     "libelementary.a": ("musl", "musl", "MIT", "https://musl.libc.org"),

@@ -8,9 +8,9 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/job/campaign.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
-#include "gearwright/math/minimise.hpp"
 
 namespace gearwright::apps {
 
@@ -40,9 +40,7 @@ constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters
 // The version. For a lean build (cmake/gw_lean.cmake), also the functions that this build lacks.
 std::string version_text() {
   return fmt::format("gearwright {}{}", kVersion,
-                     can_minimise() ? ""
-                                    : ", without the verb compensate, [scatter.robust] and the "
-                                      "option --out of the verb search");
+                     refuse_folder() ? ", without the option --out of the verb search" : "");
 }
 
 // Checks a tolerance. The range check of CLI11 is not used, because it accepts NaN.

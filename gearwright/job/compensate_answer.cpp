@@ -236,7 +236,6 @@ void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
 }  // namespace
 
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, int curves) {
-  if (auto error = needs_minimiser("compensate")) return *error;
   if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
   auto made = setup_of(job);
   if (!made) return made.error();

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -63,14 +62,6 @@ FoundCorrection found_correction(const WorkshopCorrection& correction, double va
   return {std::string(c.key),   std::string(c.unit()),
           std::string(c.words), value,
           std::move(spec_key),  at_bound};
-}
-
-std::optional<Error> needs_minimiser(const char* field) {
-  if (can_minimise()) return std::nullopt;
-  return Error{field, "",
-               "corrections cannot be computed by this build, which has no minimiser (NLopt); "
-               "use the installed program",
-               FailureKind::not_in_build};
 }
 
 Json plain_first(const Json& tree) {

@@ -46,7 +46,6 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
         {WarningCode::no_corrections, "Corrections cannot be computed: " + why + ".", 0});
     return std::optional<CompensateView>();
   };
-  if (kind == FailureKind::not_in_build) return none(answer.error().rule);
   if (kind == FailureKind::not_under_load)
     return none(spelled(answer.error(), job.spec.given).message());
   if (!without_contact(answer.error())) return answer.error();

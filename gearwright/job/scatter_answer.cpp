@@ -244,7 +244,6 @@ ProfileTarget profile_target(const Pair& pair) {
 }
 
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
-  if (auto error = needs_minimiser("scatter.robust")) return *error;
   auto corrections = corrections_of(setup, input.corrections, "scatter.robust.corrections");
   if (!corrections) return corrections.error();
   RobustTask task{std::move(corrections).take(), {}, input.percentile};

@@ -1,51 +1,21 @@
 #include "gearwright/math/minimise.hpp"
 
-#include <exception>
-#include <nlopt.hpp>
+#include <utility>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/math/box_search.hpp"
+#include "gearwright/math/subplex.hpp"
 
 namespace gearwright {
 
-bool can_minimise() { return true; }
-
 std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vector<double> start) {
   GW_EXPECTS(task.lo.size() == start.size() && task.hi.size() == start.size() &&
-             task.step.size() == start.size());
-  nlopt::opt opt(how == Minimiser::whole_box ? nlopt::GN_DIRECT_L : nlopt::LN_SBPLX,
-                 static_cast<unsigned>(start.size()));
-  opt.set_lower_bounds(task.lo);
-  opt.set_upper_bounds(task.hi);
-  opt.set_initial_step(task.step);
-  opt.set_maxeval(task.evaluations);
-  opt.set_ftol_rel(task.relative_gain);
-  opt.set_ftol_abs(task.gain);
-  // An exception of f must not pass through the C code of NLopt. It is stored, NLopt is stopped,
-  // and the exception is thrown again after the call of NLopt.
-  struct Objective {
-    const MinimiserTask& task;
-    std::exception_ptr thrown;
-  } called{task, nullptr};
-  const auto objective = [](const std::vector<double>& x, std::vector<double>&,
-                            void* data) -> double {
-    Objective& o = *static_cast<Objective*>(data);
-    try {
-      return o.task.f(x);
-    } catch (...) {
-      o.thrown = std::current_exception();
-      throw nlopt::forced_stop();
-    }
-  };
-  opt.set_min_objective(objective, &called);
-  double least = 0.0;
-  try {
-    opt.optimize(start, least);
-  } catch (const nlopt::roundoff_limited&) {
-    // Rounding prevents further progress; `start` then contains the best point.
-  } catch (const nlopt::forced_stop&) {
-    std::rethrow_exception(called.thrown);
-  }
-  return start;
+             task.step.size() == start.size() && !start.empty() && task.evaluations >= 1);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    GW_EXPECTS(task.lo[i] < task.hi[i] && task.lo[i] <= start[i] && start[i] <= task.hi[i]);
+  detail::Trials trials(task);
+  return how == Minimiser::whole_box ? detail::search_box(task, trials)
+                                     : detail::subplex(task, trials, std::move(start));
 }
 
 }  // namespace gearwright

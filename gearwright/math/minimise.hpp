@@ -1,8 +1,16 @@
 // Minimises a function of several variables within a box, without derivatives.
 //
-// NLopt provides DIRECT-L (Gablonsky and Kelley, 2001), which divides the box, and Subplex (Rowan,
-// 1990), which descends from a start point. In a build without NLopt, can_minimise() is false, and
-// callers must reject the task instead of calling minimise().
+//   whole_box   DIRECT-L divides the box into thirds again and again, smallest where f is least
+//   downhill    Subplex moves simplices of two to five variables downhill from a start point
+//
+// Both methods are deterministic. They make the same trials in the same order as the methods
+// GN_DIRECT_L and LN_SBPLX of NLopt 2.7, so that results agree with those of NLopt in all bits.
+//
+// Sources   Jones, Perttunen, Stuckman, Lipschitzian optimization without the Lipschitz constant
+//           (1993); Gablonsky, Kelley, A locally-biased form of the DIRECT algorithm (2001);
+//           Rowan, Functional stability analysis of numerical algorithms (1990); Nelder, Mead, A
+//           simplex method for function minimization (1965); Richardson, Kuester, The complex
+//           method for constrained optimization (1973), for the limits of the box
 #pragma once
 
 #include <functional>
@@ -16,7 +24,8 @@ enum class Minimiser {
 };
 
 /// A search ends after `evaluations` evaluations, or earlier when a step changes the best value
-/// of f by less than `gain`, or by less than the fraction `relative_gain` of this value.
+/// of f by less than `gain`, or by less than the fraction `relative_gain` of this value. A search
+/// of the whole box makes at least two evaluations.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0
@@ -26,11 +35,10 @@ struct MinimiserTask {
   std::function<double(const std::vector<double>&)> f{};  ///< finite everywhere in the box
 };
 
-bool can_minimise();
-
-/// The best point found from `start`.
+/// The best point found from `start`. Exceptions of f reach the caller.
 ///
-/// Domain    lo, hi and step are as long as start; lo ≤ start ≤ hi; can_minimise() (contract)
+/// Domain    lo, hi and step are as long as start; lo ≤ start ≤ hi, lo < hi, evaluations ≥ 1
+///           (contract)
 std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vector<double> start);
 
 }  // namespace gearwright

@@ -52,7 +52,7 @@ struct RobustCorrections {
 /// Computes the corrections, and the family without and with them.
 ///
 /// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
-///           0 < percent < 100; can_minimise() (contract)
+///           0 < percent < 100 (contract)
 /// Errors    as scatter_of(); `scatter.robust`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`

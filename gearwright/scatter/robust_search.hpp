@@ -43,7 +43,7 @@ struct RobustSearch {
 /// The best corrections that the search from `start` finds, or `start` if none of them is
 /// better. The corrections are not rounded.
 ///
-/// Domain    lo ≤ start ≤ hi of the box; can_minimise() (contract)
+/// Domain    lo ≤ start ≤ hi of the box (contract)
 /// Accuracy  a local minimum, to `gain`
 std::vector<double> lowest_percentile(const RobustSearch& search, const std::vector<double>& start);
 

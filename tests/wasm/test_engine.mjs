@@ -19,9 +19,15 @@ const tests = {
     assert.ok(failed(said));
     assert.match(said.error.message, /line 1/);
     assert.ok(failed(JSON.parse(engine.run("bake", "[gear1]\nteeth = 17"))));
-    assert.ok(failed(JSON.parse(engine.run("compensate", example("misaligned_pair")))));
     assert.ok(failed(engine.toToml('{"gear1": null}')));
     assert.ok(failed(JSON.parse(engine.run("pair", "x".repeat(5 << 20)))));
+  },
+
+  corrections_are_found() {
+    const { compensate } = JSON.parse(engine.run("compensate", example("misaligned_pair")));
+    assert.deepEqual(compensate.corrections.map((one) => one.key), ["gear1.lead_slope_um", "gear1.lead_crowning_um"]);
+    assert.ok(compensate.after.continuous_peak_to_peak_arcsec < compensate.before.continuous_peak_to_peak_arcsec);
+    assert.ok(compensate.after.edge_share < compensate.before.edge_share);
   },
 
   text_and_tree_are_one() {

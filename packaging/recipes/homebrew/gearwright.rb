@@ -15,7 +15,6 @@ class Gearwright < Formula
   depends_on "pkgconf" => :build
   depends_on "fmt"
   depends_on "highway"
-  depends_on "nlopt"
   depends_on "sqlite"
   depends_on "tbb"
   depends_on "tomlplusplus"
