@@ -133,6 +133,7 @@ test-dist: build/dist/SHA256SUMS
 	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.aarch64.rpm qemu-aarch64-static
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
 	tests/dist/test_deb.sh build/release/gearwright build/dist
+	tests/dist/test_npm.sh build/release/gearwright build/dist/gearwright-[0-9]*.tgz
 
 test-portable:
 	@tools/install_packages.sh core portable
