@@ -126,13 +126,15 @@ test-dist: build/dist/SHA256SUMS
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target gearwright_cli
 	cd build/dist && sha256sum --quiet -c SHA256SUMS
-	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine
+	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine \
+	  --zip build/dist/gearwright-*-windows-x86_64.zip
 	tests/dist/test_installer.py build/dist/gearwright-*-windows-x86_64-setup.exe
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-x86_64/gearwright
 	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.x86_64.rpm
 	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.aarch64.rpm qemu-aarch64-static
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
 	tests/dist/test_deb.sh build/release/gearwright build/dist
+	tests/dist/test_npm.sh build/release/gearwright build/dist/gearwright-[0-9]*.tgz
 
 test-portable:
 	@tools/install_packages.sh core portable

@@ -13,6 +13,7 @@
 #                                             as packages for Debian 12
 #   gearwright-VERSION-*.whl, gearwright-VERSION.tgz, gearwright-VERSION.html
 #                                             the wheel, the npm package and the page
+#   gearwright-VERSION.html.spdx.json         the list of the libraries in the page
 #   SHA256SUMS
 #
 # The link of a program for WebAssembly, the compression of a package and the largest source files of the libraries
@@ -41,6 +42,7 @@ pack() {
   rm -rf "$folder/docs/figures" "$folder/docs/doxygen" "$folder/docs/Doxyfile"
   tools/sbom.py "$version" "$target" "$build" "$portable/sources" "$folder"
   cp "$page" "$folder/"
+  tools/sbom.py "$version" page - apps/web "$folder/licences/page"
   # Names are sorted, and all files have the same date, so that the same input gives the same bytes.
   find "$build/pack" -exec touch -h -d "@${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}" {} +
   if [ "$program" = gearwright.exe ]; then
@@ -85,5 +87,6 @@ done
 for job in "${packing[@]}"; do wait "$job"; done
 cp build/web/gearwright-"$version".tgz build/python/gearwright-"$version"-*.whl "$dist/"
 cp "$page" "$dist/gearwright-$version.html"
+cp "$portable/$1/pack/gearwright-$version-$1/licences/page/gearwright.spdx.json" "$dist/gearwright-$version.html.spdx.json"
 (cd "$dist" && rm -f SHA256SUMS && sha256sum -- * >.sums && mv .sums SHA256SUMS)
 ls -l "$dist"

@@ -7,10 +7,12 @@ BUILD contains gearwright.map, in which the linker lists the archives whose memb
 the folder that tools/portable_libraries.sh fetched. Without a map, BUILD is the root of a package, whose programs and
 modules link shared libraries. The script writes INTO/gearwright.spdx.json and INTO/licences. It fails if a library is
 not in the tables below. If TARGET begins with "wheel", the package contains the shared libraries that it links, except
-those of every Linux system. Versions are those of Debian's packages. Licences are those that the file debian/copyright of
-a package gives for the linked files.
+those of every Linux system. If TARGET is "npm" or "page", BUILD is not read, because all libraries are linked into
+WebAssembly; SOURCES of "page" is apps/web, with the packages of npm that the page contains. Versions are those of Debian's
+packages or of npm. Licences are those that the file debian/copyright of a package gives for the linked files.
 """
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -40,6 +42,20 @@ HEADERS = {
     "nlohmann-json3-dev": ("JSON for Modern C++", "MIT", "https://github.com/nlohmann/json"),
     "libtomlplusplus-dev": ("toml++", "MIT", "https://marzer.github.io/tomlplusplus"),
     "libcli11-dev": ("CLI11", "BSD-3-Clause", "https://github.com/CLIUtils/CLI11"),
+}
+# The same for programs in WebAssembly, in which emscripten's libraries are those of the system.
+WEB = (
+    ("emscripten", "Emscripten", "MIT OR NCSA", "https://emscripten.org"),
+    ("emscripten", "musl", "MIT", "https://musl.libc.org"),
+    ("emscripten", "libc++ and compiler-rt", "Apache-2.0 WITH LLVM-exception", "https://llvm.org"),
+    ("emscripten", "dlmalloc", "CC0-1.0", "https://gee.cs.oswego.edu/dl/html/malloc.html"),
+    ("libfmt-dev", "fmt", "MIT", "https://fmt.dev"),
+    ("libstb-dev", "stb", "MIT OR Unlicense", "https://github.com/nothings/stb"),
+)
+# Package of npm that the page contains: name of the library, licence, home page
+PAGE = {
+    "three": ("three.js", "MIT", "https://threejs.org"),
+    "fzstd": ("fzstd", "MIT", "https://github.com/101arrowz/fzstd"),
 }
 # Beginning of the name of the Debian package of a runtime library of the compiler: name of the library,
 # licence, home page
@@ -118,10 +134,28 @@ def elementary():
     yield name, *from_system("musl-dev"), licence, home, "STATIC_LINK"
 
 
-def contents(build, sources, contained):
-    """Returns name, version, file with the licence (or None), licence, home page and SPDX relationship."""
+def from_npm(folder):
+    """Returns what the page contains from npm, in the form of contents()."""
+    versions = json.loads((folder / "package.json").read_text())["dependencies"]
+    for package, version in versions.items():
+        if package not in PAGE:
+            sys.exit(f"sbom: the page contains {package}, which tools/sbom.py lacks")
+        name, licence, home = PAGE[package]
+        yield name, version, folder / "node_modules" / package / "LICENSE", licence, home, "CONTAINS"
+
+
+def web(target, sources):
+    """Returns what the page or the package of npm contains besides headers, in the form of contents()."""
+    for package, name, licence, home in WEB:
+        yield name, *from_system(package), licence, home, "STATIC_LINK"
+    if target == "page":
+        yield from from_npm(sources)
+
+
+def native(target, build, sources):
+    """Returns what a program or a package of this system contains besides headers, in the form of contents()."""
     if not (build / "gearwright.map").exists():
-        linked = list(shared(build, contained))
+        linked = list(shared(build, target.startswith("wheel")))
         yield from linked
         if linked:  # a program or a module, not a library for other programs
             yield from elementary()
@@ -141,6 +175,11 @@ def contents(build, sources, contained):
             sys.exit(f"sbom: the program contains parts of {path} ({owner or 'not from a package'}), which is not in the tables of tools/sbom.py")
         name, licence, home = known
         yield name, *from_system(owner), licence, home, "STATIC_LINK"
+
+
+def contents(target, build, sources):
+    """Returns name, version, file with the licence (or None), licence, home page and SPDX relationship."""
+    yield from web(target, sources) if target in ("npm", "page") else native(target, build, sources)
     for package, (name, licence, home) in HEADERS.items():
         yield name, *from_system(package), licence, home, "CONTAINS"
 
@@ -158,25 +197,33 @@ def licence_text(copyright_file, licence):
     return re.search(r"^License: BSL-1\.0\n(?: .*\n)+", text, re.M)[0] if licence == "BSL-1.0" else text
 
 
+def seconds_of_sources():
+    """Returns the date of the sources, that of CHANGELOG.md if they do not come from git."""
+    try:
+        return int(os.environ.get("SOURCE_DATE_EPOCH") or output("git", "log", "-1", "--format=%ct"))
+    except (OSError, subprocess.CalledProcessError):
+        return int((pathlib.Path(__file__).resolve().parent.parent / "CHANGELOG.md").stat().st_mtime)
+
+
 def main():
     version, target, build, sources, into = sys.argv[1:3] + [pathlib.Path(p).resolve() for p in sys.argv[3:]]
     licences = into / "licences"
     licences.mkdir(parents=True, exist_ok=True)
     product = entry("gearwright", version, "Apache-2.0", "NOASSERTION")
     del product["homepage"]
-    packages, relations = {}, []
-    for name, its_version, copyright_file, licence, home, relation in contents(build, sources, target.startswith("wheel")):
+    packages, relations, written = {}, [], set()
+    for name, its_version, copyright_file, licence, home, relation in contents(target, build, sources):
         part = entry(name, its_version, licence, home)
         if part["SPDXID"] in packages:
             continue
         packages[part["SPDXID"]] = part
         relations.append({"spdxElementId": product["SPDXID"], "relationshipType": relation,
                           "relatedSpdxElement": part["SPDXID"]})
-        if copyright_file:
+        if copyright_file and copyright_file not in written:
+            written.add(copyright_file)
             file = licences / (part["SPDXID"].removeprefix("SPDXRef-") + ".txt")
             file.write_text(licence_text(copyright_file, licence), encoding="utf-8")
-    seconds = int(output("git", "log", "-1", "--format=%ct"))
-    date = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))
+    date = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds_of_sources()))
     (into / "gearwright.spdx.json").write_text(json.dumps({
         "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT",
         "name": f"gearwright-{version}-{target}",

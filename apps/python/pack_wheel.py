@@ -2,8 +2,8 @@
 
     pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT is the package in the build folder
 
-The tag names the oldest glibc that has the symbols which the module and its libraries need (PEP 600). The folder
-gearwright.libs contains fmt, TBB and the other libraries, so the module needs only libraries on which a wheel may
+The tag names the oldest glibc that has the symbols which the module and its libraries need, and whose systems have a
+libstdc++ with the symbols that they need (PEP 600). The folder gearwright.libs contains fmt, TBB and the other libraries, so the module needs only libraries on which a wheel may
 depend. The wheel contains the list of these libraries (SPDX) with their licences.
 """
 
@@ -17,6 +17,9 @@ from pathlib import Path
 # Libraries that every Linux system with support for manylinux wheels provides (PEP 600).
 OF_THE_SYSTEM = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libz.so.1",
                  "libpthread.so.0", "libdl.so.2", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
+
+# The newest symbols of libstdc++ that a tag permits, and the glibc of that tag (manylinux-policy.json of auditwheel).
+STANDARD_LIBRARIES = (((3, 4, 29), (2, 34)), ((3, 4, 30), (2, 35)), ((3, 4, 32), (2, 38)), ((3, 4, 33), (2, 39)))
 
 
 def needed(library):
@@ -35,10 +38,17 @@ def bundle(stage, built):
 
 
 def newest_glibc(libraries):
-    """Returns the newest version of glibc that defines a symbol which one of the libraries needs."""
+    """Returns the version of glibc for the tag, from the symbols that the libraries need."""
     text = "".join(subprocess.run(["readelf", "--wide", "--version-info", str(library)], capture_output=True, text=True,
                                   check=True).stdout for library in libraries)
-    return max(tuple(map(int, version)) for version in re.findall(r"Name: GLIBC_(\d+)\.(\d+)", text))
+
+    def newest(name):
+        return max(tuple(map(int, version.split("."))) for version in re.findall(rf"Name: {name}_([0-9.]+)", text))
+
+    standard = newest("GLIBCXX")
+    of_standard = next((glibc for version, glibc in STANDARD_LIBRARIES if standard <= version), None)
+    assert of_standard, f"no tag of a wheel permits GLIBCXX_{'.'.join(map(str, standard))}"
+    return max(newest("GLIBC")[:2], of_standard)
 
 
 def metadata(source, version):

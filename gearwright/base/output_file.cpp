@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw IoError("cannot write " + path.string() + ": " + std::strerror(error));
+  throw IoError("cannot write " + native_text(path) + ": " + std::strerror(error));
 }
 
 fs::path beside(const fs::path& path) {
@@ -29,7 +29,7 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
   if (error) {
     std::error_code ignored;
     fs::remove(from, ignored);
-    throw IoError("cannot write " + to.string() + ": " + error.message());
+    throw IoError("cannot write " + native_text(to) + ": " + error.message());
   }
 }
 
@@ -55,7 +55,7 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw IoError("cannot make the folder " + folder.string() + ": " + error.message() +
+    throw IoError("cannot make the folder " + native_text(folder) + ": " + error.message() +
                   "; --out selects another folder");
 }
 
@@ -77,7 +77,7 @@ void write_file(const fs::path& path, std::string_view content) {
 void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   const Target target = target_of(path);
   if (target.straight)
-    throw IoError("cannot write " + path.string() + ": it is a device or a pipe");
+    throw IoError("cannot write " + native_text(path) + ": it is a device or a pipe");
   const fs::path part = beside(target.path);
   try {
     write(part);
@@ -86,7 +86,8 @@ void write_file_by(const fs::path& path, const std::function<void(const fs::path
     fs::remove(part, ignored);
     throw;
   }
-  if (!fs::exists(part)) throw IoError("cannot write " + path.string() + ": nothing was written");
+  if (!fs::exists(part))
+    throw IoError("cannot write " + native_text(path) + ": nothing was written");
   rename_into_place(part, target.path);
 }
 

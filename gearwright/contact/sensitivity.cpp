@@ -1,5 +1,7 @@
 #include "gearwright/contact/sensitivity.hpp"
 
+#include <cmath>
+
 #include "gearwright/contact/error_turns.hpp"
 #include "gearwright/math/decompositions.hpp"
 
@@ -16,10 +18,24 @@ struct Change {
   FreeVector<World> dr;                     // motion of the point per unit of e
 };
 
+// 1/w. The compiler's library divides complex numbers, on ARM with fused multiply-adds, whose last bits differ from those on
+// x86-64. This is the formula of that library, without fusing.
+Complex reciprocal(const Complex& w) {
+  const double x = w.real(), y = w.imag();
+  if (std::abs(x) < std::abs(y)) {
+    const double ratio = x / y;
+    const double whole = x * ratio + y;
+    return {(ratio + 0.0) / whole, -1.0 / whole};
+  }
+  const double ratio = y / x;
+  const double whole = y * ratio + x;
+  return {1.0 / whole, (0.0 - ratio) / whole};
+}
+
 // Adds the effect of a motion d of the point. d_s and d_z are the derivatives of d.
 void add_motion(Change& c, const GapJet& j, const FreeVector<Axis2>& d,
                 const FreeVector<Axis2>& d_s, const FreeVector<Axis2>& d_z) {
-  const Complex over = 1.0 / j.w;
+  const Complex over = reciprocal(j.w);
   const auto across = [](const FreeVector<Axis2>& a) { return Complex(a.v.x(), a.v.y()); };
   const Complex dL = across(d) * over;
   const Complex dL_s = (across(d_s) - j.w_s * dL) * over;

@@ -107,7 +107,8 @@ std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.mirror();
-  const double across_bases = a * a - std::pow(r_b2 + sign * r_b1, 2);
+  const double bases = r_b2 + sign * r_b1;
+  const double across_bases = a * a - bases * bases;
   if (!(across_bases > 0.0)) return std::nullopt;
   const double action = std::sqrt(across_bases);
   const auto s_opposite = [&](double roll2) { return sign * (action - roll2) / r_b1; };
@@ -222,7 +223,8 @@ void WaveCrests::set_waves(const Ridges& ridges, const Path& path) {
   for (const std::size_t g : {0, 1}) {
     const double across = rate_of(*own[g], 0);
     wave_[g] = {half_height(*own[g], 0) / arm_, across};
-    steep += half_height(*own[g], 0) * std::pow(across * by_s[g], 2) / arm_;
+    const double along_s = across * by_s[g];
+    steep += half_height(*own[g], 0) * (along_s * along_s) / arm_;
     across_ += half_height(*own[g], 0) / arm_;
     along_ += half_height(*own[g], 1) / arm_;
     fastest = std::max({fastest, std::abs(across * by_z[g]), std::abs(rate_of(*own[g], 1))});
@@ -243,8 +245,8 @@ bool WaveCrests::accurate(GapField& field, const Path& path) const {
       const auto ridge = ridge_at(field, path, x, y);
       if (!ridge) return false;
       const double missed = te_.along_x(y).at(x) - ridge->te;
-      const double aside =
-          ridge->bend * std::pow((phi_.along_x(y).at(x) - ridge->phi) / path.phi_s, 2);
+      const double beside = (phi_.along_x(y).at(x) - ridge->phi) / path.phi_s;
+      const double aside = ridge->bend * (beside * beside);
       if (!(std::abs(missed) + std::abs(aside) < kMiss * (across_ + along_))) return false;
     }
   }

@@ -21,7 +21,7 @@ std::optional<double> noise_of_train(const StandardTeeth& teeth, const DriveCand
     const auto& [z1, z2] = *stage;
     WindupMesh& mesh = meshes.emplace_back(teeth.mesh(z1, z2));
     mesh.frequency = meshes.size();
-    mesh.weight = std::pow(torque / z2, 2);
+    mesh.weight = torque / z2 * (torque / z2);
     torque *= static_cast<double>(z1) / z2;
   }
   return windup_variation(meshes);

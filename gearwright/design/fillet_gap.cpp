@@ -145,8 +145,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
     const double x = shifts[static_cast<int>(1 - i)];
     const double u = mate.r + mate.addendum + x + at.k;
     // Half of the transverse tip thickness, computed from s_an and expressed as an angle. [T9.3]
-    const double cos_at_tip =
-        1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
+    const double tan_at_tip = mate.tan_base_helix * u / mate.r_b;
+    const double cos_at_tip = 1.0 / std::sqrt(1.0 + tan_at_tip * tan_at_tip);
     const double half = tip_thickness(mate, x, at.k) / cos_at_tip / (2.0 * u);
     const Fillet fillet(g[i], alpha_n, shifts[static_cast<int>(i)]);
     const Corner corner{at.a, u, half + backlash / (2.0 * mate.r_b),

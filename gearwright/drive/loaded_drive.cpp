@@ -352,8 +352,8 @@ class DriveUnderLoad {
     for (int k = 1; k <= load_.harmonics && 2 * k < positions_; ++k) {
       std::complex<double> wave = 0.0;
       for (int j = 0; j < positions_; ++j)
-        wave += std::polar(curve.loaded[static_cast<std::size_t>(j)],
-                           -kTurn * static_cast<double>(k * j % positions_) / n);
+        wave += curve.loaded[static_cast<std::size_t>(j)] *
+                std::polar(1.0, -kTurn * static_cast<double>(k * j % positions_) / n);
       error.lines.push_back({k * curve.frequency_ratio, 2 * std::abs(wave) / n});
     }
   }

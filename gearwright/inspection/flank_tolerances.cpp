@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include <fmt/format.h>
@@ -15,8 +16,11 @@ namespace gearwright {
 namespace {
 
 constexpr int kOwnClass = 5;  // the class for which the formulas give the tolerances
+// √2 per class
 double step_factor(int quality) {
-  return std::pow(2.0, 0.5 * (quality - kOwnClass));  // √2 per class
+  const int steps = quality - kOwnClass;
+  const int odd = steps & 1;
+  return std::ldexp(odd == 1 ? std::numbers::sqrt2 : 1.0, (steps - odd) / 2);
 }
 // Borders of the ranges of ISO 1328-1:1995, mm. A value on a border belongs to the lower range.
 constexpr std::array kDiameters{5.,    20.,   50.,   125.,  280.,  560.,  1000.,

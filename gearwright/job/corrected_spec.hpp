@@ -31,7 +31,6 @@ bool at_bound(const Correction& range, double value);
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound);
 
-
 /// Returns the tree with its plain values before its tables. A TOML file requires this order.
 Json plain_first(const Json& tree);
 

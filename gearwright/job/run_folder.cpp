@@ -10,6 +10,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/packing.hpp"
+#include "gearwright/base/system.hpp"
 #include "gearwright/job/files.hpp"
 
 namespace gearwright {
@@ -76,7 +77,7 @@ void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
     std::error_code error;
     if (!again && as_written(folder / was.name, was)) fs::remove(folder / was.name, error);
     if (error)
-      throw IoError("cannot remove " + (folder / was.name).string() + ": " + error.message());
+      throw IoError("cannot remove " + native_text(folder / was.name) + ": " + error.message());
   }
   write_file(folder / kRunList, list);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/system.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/store/chunk_store.hpp"
@@ -49,7 +50,7 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
     changed = campaign_differences(before, now);
   }
   return Error{
-      "--out", folder.string(),
+      "--out", native_text(folder),
       fmt::format("the folder contains a finished search with another spec ({}), and the files of "
                   "that search would be replaced; use another folder, or remove {} first",
                   changed, kDesignsFile),
@@ -81,7 +82,7 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
 
   BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
   const auto finds_of = [&](std::int64_t c) {
-    return unpack(store.get(c), fmt::format("chunk {} in {}", c, options.out.string()));
+    return unpack(store.get(c), fmt::format("chunk {} in {}", c, native_text(options.out)));
   };
   for (std::int64_t c = 0; c < run.chunks; ++c)
     for (const DesignRow& row : finds_of(c).designs) best.add(row);

@@ -31,7 +31,7 @@ constexpr std::size_t kMaxHeader = kHeader + 8 * kMaxConstraints;
 constexpr auto kStaleAfter = std::chrono::hours(24);
 
 [[noreturn]] void fail(const char* what, const fs::path& path, const std::string& why) {
-  throw IoError(fmt::format("cannot {} {}: {}", what, path.string(), why));
+  throw IoError(fmt::format("cannot {} {}: {}", what, native_text(path), why));
 }
 
 [[noreturn]] void fail(const char* what, const fs::path& path, int error) {

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/system.hpp"
 
 namespace gearwright {
 
@@ -93,7 +94,7 @@ void ChunkJournal::fail() const {
         "; move the journal to another folder and continue with --resume; the chunk files are "
         "complete without the journal";
   }
-  throw IoError(fmt::format("the journal {}: {}", path_.string(), why));
+  throw IoError(fmt::format("the journal {}: {}", native_text(path_), why));
 }
 
 ChunkJournal::Statement ChunkJournal::prepare(const std::string& sql) const {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/system.hpp"
 #include "gearwright/store/chunk_file.hpp"
 #include "gearwright/store/chunk_journal.hpp"
 
@@ -98,7 +99,7 @@ std::string campaign_differences(const std::string& was, const std::string& is) 
 namespace {
 
 Error refused_folder(const fs::path& folder, const std::string& why) {
-  return {"--out", folder.string(), why, FailureKind::option};
+  return {"--out", native_text(folder), why, FailureKind::option};
 }
 
 // The reason why the folder cannot be opened in the mode `as`, or nothing if it can. `old` is the
@@ -201,7 +202,7 @@ std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
 // Reads a finished chunk. Throws IoError if the chunk is missing or broken.
 ChunkRead ChunkStore::Impl::read(std::int64_t chunk, Depth depth) {
   GW_EXPECTS(ours(chunk));
-  const std::string path = files.path(chunk).string();
+  const std::string path = native_text(files.path(chunk));
   for (;;) {  // repeated only if another process replaces a broken chunk in the meantime
     auto read = files.read(chunk, depth);
     if (!read) throw IoError("cannot read " + path + ": there is no such chunk");
@@ -238,7 +239,7 @@ void ChunkStore::Impl::square_accounts() {
       if (rows.count(chunk) == 0) without_row.push_back({chunk, read->counts, read->size});
     } else if (const auto damage = retire(chunk)) {
       notes.push_back(fmt::format("{} {}; it was renamed to .damaged and will be computed again",
-                                  files.path(chunk).string(), *damage));
+                                  native_text(files.path(chunk)), *damage));
     }
   }
   if (lost.empty() && without_row.empty()) return;
@@ -249,7 +250,7 @@ void ChunkStore::Impl::square_accounts() {
     journal.forget(chunk);
     notes.push_back(
         fmt::format("{} is in the journal but not in the folder; it will be computed again",
-                    files.path(chunk).string()));
+                    native_text(files.path(chunk))));
   }
   transaction.commit();
 }

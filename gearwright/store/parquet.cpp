@@ -93,7 +93,7 @@ struct ParquetWriter::State {
 
   [[noreturn]] void fail(int error) {
     file.close();
-    throw IoError("cannot write " + path.string() + ": " + std::strerror(error));
+    throw IoError("cannot write " + native_text(path) + ": " + std::strerror(error));
   }
 
   void write(std::string_view bytes) {
@@ -312,13 +312,13 @@ std::optional<std::string> parquet_note(const fs::path& file, std::string_view k
   std::error_code error;
   if (!fs::exists(file, error)) return std::nullopt;
   std::ifstream in(file, std::ios::binary | std::ios::ate);
-  if (!in) throw IoError("cannot read " + file.string());
+  if (!in) throw IoError("cannot read " + native_text(file));
   const auto size = static_cast<std::size_t>(in.tellg());
   const auto last = [&](std::size_t count) {
     std::string bytes(count, '\0');
     in.seekg(static_cast<std::streamoff>(size - count));
     if (!in.read(bytes.data(), static_cast<std::streamsize>(count)))
-      throw IoError("cannot read " + file.string());
+      throw IoError("cannot read " + native_text(file));
     return bytes;
   };
   if (size < kEnd) return std::nullopt;

@@ -1,178 +1,31 @@
 #!/usr/bin/env python3
 """Compares a portable program with the native one, and runs the first commands of a user of its system.
 
-    tests/dist/test_portable.py NATIVE PROGRAM [--under wine [--may-skip]] [--examples N]
+    tests/dist/test_portable.py NATIVE PROGRAM [--under wine [--may-skip]] [--examples N] [--zip ZIP]
 
 1. For every verb and example, exit status and bytes of --json are the same, because all programs have the
    same elementary functions and the same vectors of Eigen. Verbs that take long are compared for one example.
    The script prints how many numbers differ, and by how many units in the last place (ulp).
+   Tables for spreadsheets, the manual, the schemas, the completions and the answers of `verify` are the same, too.
 2. For every example, `run` writes the same files with the same bytes.
 3. The program handles names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing
-   file, folders that accept no file, and Ctrl-C.
-4. The program needs no library beside it. The program for Windows has less than 12 MB.
+   file, folders that accept no file, full and read-only disks (if this system permits to mount them), a console, and Ctrl-C.
+4. The zip contains the program with the page, and the first example of the quick start runs in it.
+5. The program needs no library beside it. The program for Windows has less than 12 MB.
 """
 import argparse
 import contextlib
-import json
-import math
 import os
 import pathlib
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 
-SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
-VERBS = "gear pair contact load measure rate identify fit drive outline".split()
-LONG = {"scattered_pair": "scatter", "misaligned_pair": "compensate", "quiet_pair": "propose", "housing_search": "search"}
-
-
-class Programs:
-    def __init__(self, native, program, under):
-        self.native = [str(pathlib.Path(native).resolve())]
-        self.other = ([under] if under else []) + [str(pathlib.Path(program).resolve())]
-        self.environment = dict(os.environ, WINEDEBUG="-all", LC_ALL="C.UTF-8")
-
-    def run(self, command, *arguments, folder, stdin=None):
-        # The script uses files instead of pipes, because background processes of Wine keep the ends
-        # of a pipe open.
-        with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-            given.write(stdin or b"")
-            given.seek(0)
-            status = subprocess.run([*command, *map(str, arguments)], stdin=given, stdout=out, stderr=err, cwd=folder,
-                                    timeout=600, env=self.environment).returncode
-            out.seek(0)
-            err.seek(0)
-            return status, out.read(), err.read().decode(errors="replace")
-
-
-class NoWine(Exception):
-    """Wine does not run the commands of Windows itself."""
-
-
-@contextlib.contextmanager
-def fresh_prefix(programs):
-    """Creates a new Windows for Wine. Its server runs until the end, so that a start of the
-    program takes half a second. Raises NoWine if a command of Windows itself does not run there."""
-    with tempfile.TemporaryDirectory(prefix="gearwright_wine_") as prefix:
-        programs.environment.update(WINEPREFIX=prefix, WINEDLLOVERRIDES="mscoree,mshtml=", HOME=prefix)
-        programs.environment.pop("DISPLAY", None)
-        quiet = dict(env=programs.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            subprocess.run(["wineboot", "--init"], check=True, timeout=300, **quiet)
-            subprocess.run(["wine", "cmd", "/c", "exit 0"], check=True, timeout=60, **quiet)
-        except (OSError, subprocess.SubprocessError) as error:
-            raise NoWine(f"Wine does not start on this machine: {error}") from error
-        subprocess.run(["wineserver", "-p"], **quiet)  # status 2: it runs already
-        try:
-            yield
-        finally:
-            subprocess.run(["wineserver", "-k"], **quiet)
-            subprocess.run(["wineserver", "-w"], timeout=60, **quiet)
-
-
-class Report:
-    def __init__(self):
-        self.passed, self.failed = 0, []
-
-    def check(self, name, good, why=""):
-        if good:
-            self.passed += 1
-        else:
-            self.failed.append(name)
-            print(f"FAILED {name}: {why}", flush=True)
-
-
-def place(x):
-    """Returns doubles as integers in the same order. Neighbours differ by 1, the unit in the
-    last place."""
-    bits = struct.unpack("<q", struct.pack("<d", x))[0]
-    return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
-
-
-class Differences:
-    """Compares the numbers of two answers. Counts them, and stores the ulp of each difference and the
-    path of the greatest relative difference."""
-
-    def __init__(self):
-        self.values, self.ulps, self.greatest, self.where, self.broken = 0, [], 0.0, "", ""
-
-    def compare(self, a, b, path=""):
-        number = (int, float)
-        if isinstance(a, dict) and isinstance(b, dict):
-            if list(a) != list(b):
-                self.broken = f"{path}: keys {sorted(set(a) ^ set(b)) or 'in another order'}"
-                return
-            for key in a:
-                self.compare(a[key], b[key], f"{path}.{key}")
-        elif isinstance(a, list) and isinstance(b, list):
-            if len(a) != len(b):
-                self.broken = f"{path}: {len(a)} and {len(b)} entries"
-                return
-            for i, (x, y) in enumerate(zip(a, b)):
-                self.compare(x, y, f"{path}.{i}")
-        elif isinstance(a, number) and isinstance(b, number) and not isinstance(a, bool) and not isinstance(b, bool):
-            self.values += 1
-            if a == b:
-                return
-            self.ulps.append(abs(place(float(a)) - place(float(b))))
-            relative = abs(a - b) / max(abs(a), abs(b), 1.0)
-            if relative > self.greatest:
-                self.greatest, self.where = relative, path
-        elif a != b and not (isinstance(a, str) and isinstance(b, str)):
-            self.broken = f"{path}: {a} and {b}"  # messages may contain rounded numbers
-
-
-def compare_answers(programs, report, examples, folder):
-    total, answers, equal_bytes, shares = Differences(), 0, 0, []
-    for example in examples:
-        for verb in [*VERBS, *([LONG[example.stem]] if example.stem in LONG else [])]:
-            status, text, _ = programs.run(programs.native, verb, example, "--json", folder=folder)
-            other, other_text, errors = programs.run(programs.other, verb, example, "--json", folder=folder)
-            name = f"{verb} {example.name}"
-            if status != other:
-                report.check(name, False, f"status {other}, native {status}: {errors[-300:]}")
-                continue
-            if status != 0:
-                report.passed += 1
-                continue
-            one = Differences()
-            one.compare(json.loads(text), json.loads(other_text))
-            report.check(name, text == other_text, one.broken or f"{one.where} differs by {one.greatest:.3g}")
-            answers, equal_bytes = answers + 1, equal_bytes + (text == other_text)
-            total.values, total.ulps = total.values + one.values, total.ulps + one.ulps
-            if one.greatest > total.greatest:
-                total.greatest, total.where = one.greatest, f"{name}{one.where}"
-            if one.ulps:
-                shares.append(f"  {name}: {len(one.ulps)} of {one.values}, greatest {one.greatest:.1e} at {one.where}")
-    print("\n".join(shares))
-    below = [sum(u <= limit for u in total.ulps) for limit in (1, 4, 64)]
-    print(f"answers {answers}, of which {equal_bytes} have the same bytes; numbers {total.values}, of which "
-          f"{len(total.ulps)} differ: {below[0]} by 1 ulp, {below[1]} by at most 4, {below[2]} by at most 64; "
-          f"greatest relative difference {total.greatest:.1e} ({total.where})", flush=True)
-
-
-def compare_files(programs, report, examples, folder):
-    kinds = {}
-    for example in examples:
-        ends = []
-        for command, out in ((programs.native, "native"), (programs.other, "other")):
-            status, _, errors = programs.run(command, "run", example, "--out", f"{example.stem}_{out}", folder=folder)
-            ends.append(status)
-        report.check(f"run {example.name}", ends[0] == ends[1], f"status {ends[1]}, native {ends[0]}: {errors[-300:]}")
-        one, two = (pathlib.Path(folder, f"{example.stem}_{out}") for out in ("native", "other"))
-        names = sorted(p.name for p in one.iterdir()) if one.exists() else []
-        others = sorted(p.name for p in two.iterdir()) if two.exists() else []
-        report.check(f"files of {example.name}", names == others, f"{others}, native {names}")
-        for name in sorted(set(names) & set(others)):
-            count = kinds.setdefault(pathlib.Path(name).suffix, [0, 0])
-            same = (one / name).read_bytes() == (two / name).read_bytes()
-            count[0] += 1
-            count[1] += same
-            report.check(f"{name} of {example.name}", same, "has other bytes")
-    print("files with the same bytes: " + ", ".join(f"{k} {same} of {n}" for k, (n, same) in sorted(kinds.items())))
+from comparing import SOURCE, compare_answers, compare_files, compare_texts, some_examples
+from programs import NoWine, Programs, Report, fresh_prefix
+from surroundings import console, disks, may_mount, unpacked
 
 
 def needs_nothing(report, program):
@@ -268,12 +121,11 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--under", help="what runs the program: wine, qemu-aarch64-static")
     parser.add_argument("--may-skip", action="store_true", help="if Wine does not start, print the reason and end with 0")
+    parser.add_argument("--zip", type=pathlib.Path, help="the packed folder of the program for Windows")
     parser.add_argument("--examples", type=int, default=1000, help="only N examples, evenly spread over all")
     options = parser.parse_args()
     programs, report = Programs(options.native, options.program, options.under), Report()
-    examples = sorted([*SOURCE.glob("examples/*.toml"), *SOURCE.glob("examples/drives/*.toml")])
-    count = min(options.examples, len(examples))
-    examples = [examples[i * len(examples) // count] for i in range(count)]
+    examples = some_examples(options.examples)
     needs_nothing(report, options.program)
     with contextlib.ExitStack() as stack:
         if options.under == "wine":
@@ -285,6 +137,14 @@ def main():
         folder = stack.enter_context(tempfile.TemporaryDirectory())
         first_minutes(programs, report, options.program.endswith(".exe"), folder)
         interrupted(programs, report, folder)
+        console(programs, report, folder, "Räder für Übung/Zähne.toml")
+        if may_mount():
+            disks(programs, report, folder, options.program.endswith(".exe"))
+        else:
+            print("full and read-only disks: not tested, because this system does not permit to mount them")
+        if options.zip:
+            unpacked(programs, report, options.zip, stack.enter_context(tempfile.TemporaryDirectory()))
+        compare_texts(programs, report, examples, folder)
         compare_answers(programs, report, examples, folder)
         compare_files(programs, report, examples, folder)
     print(f"{report.passed} passed, {len(report.failed)} failed")

@@ -16,6 +16,7 @@ for file in /usr/bin/gearwright /usr/share/man/man1/gearwright.1.gz /usr/share/l
   /usr/share/licenses/gearwright/gearwright.spdx.json /usr/share/doc/gearwright/examples/helical_pair.toml; do
   grep -qx "$file" "$work/files" || { echo "$file is not in the package"; exit 1; }
 done
+! grep 'licences/page' "$work/files" || { echo "the package lists the libraries of the page, which it does not contain"; exit 1; }
 # The package is not signed, and static linking is its purpose, so these two findings are expected.
 rpmlint "$package" >"$work/lint" 2>&1 || true
 grep -q 'packages and .* specfiles checked' "$work/lint" || { cat "$work/lint"; echo "rpmlint did not end"; exit 1; }

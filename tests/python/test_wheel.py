@@ -10,6 +10,7 @@ import subprocess
 import sys
 import zipfile
 
+import numpy
 import pytest
 
 BUILD, SOURCE = pathlib.Path(os.environ["GW_BUILD"]), pathlib.Path(os.environ["GW_SOURCE"])
@@ -34,9 +35,21 @@ def wheel(tmp_path_factory):
     return next(folder.glob("*.whl"))
 
 
-def test_what_is_in_it(wheel):
+def test_its_tag_is_true(wheel, tmp_path):
+    """The tag is not newer than this system, and permits every symbol that a library of the wheel needs."""
     tag = re.match(r"gearwright-0\.1\.0-cp311-cp311-manylinux_2_(\d+)_", wheel.name)
     assert tag and int(tag[1]) <= int(platform.libc_ver()[1].split(".")[1])
+    zipfile.ZipFile(wheel).extractall(tmp_path)
+    permitted = {"GLIBC": (2, int(tag[1])), "GLIBCXX": (3, 4, 29 if int(tag[1]) < 35 else 30), "CXXABI": (1, 3, 13)}
+    libraries = [path for path in tmp_path.rglob("*.so*") if path.is_file()]
+    assert len(libraries) >= 5
+    for library in libraries:
+        text = subprocess.run(["readelf", "--wide", "--version-info", library], capture_output=True, text=True, check=True).stdout
+        for name, version in re.findall(r"Name: (GLIBC|GLIBCXX|CXXABI)_([0-9.]+)", text):
+            assert tuple(map(int, version.split("."))) <= permitted[name], f"{library.name} needs {name}_{version}"
+
+
+def test_what_is_in_it(wheel):
     assert wheel.stat().st_size < 6e6
     names = zipfile.ZipFile(wheel).namelist()
     assert {"gearwright/__init__.py", "gearwright/_core.pyi", "gearwright/py.typed"} <= set(names)
@@ -49,9 +62,13 @@ def test_what_is_in_it(wheel):
 
 
 def test_pip_installs_it_without_an_index(wheel, tmp_path):
-    # NumPy is the only requirement. The version of Debian is used, because the test has no package index.
-    subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", str(tmp_path / "env")], check=True)
+    # The environment has no package of the system. NumPy, the only requirement, is a link to that of Debian, because the
+    # test has no package index.
+    subprocess.run([sys.executable, "-m", "venv", str(tmp_path / "env")], check=True)
     python = str(tmp_path / "env/bin/python")
+    packages = next((tmp_path / "env/lib").glob("python3*/site-packages"))
+    for path in pathlib.Path(numpy.__file__).parent.parent.glob("numpy*"):
+        (packages / path.name).symlink_to(path)
     clean = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
     subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-index", str(wheel)], check=True, env=clean)
     run = subprocess.run([python, "-c", PROGRAM], check=True, env=clean, capture_output=True, text=True,
