@@ -50,7 +50,13 @@ CurvePoint CornerFan::at(double nu) const {
 struct PinionEnvelope::Contact {
   double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
   double curvature;               // k of the cutter's curve, followed from root to tip
+  double along, across, turn;     // the point of the gear is (along + i across) e^{i turn}
   double lambda() const { return w - q; }
+  Vec2 point() const {
+    const double cos_t = std::cos(turn);
+    const double sin_t = std::sin(turn);
+    return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
+  }
 };
 
 PinionEnvelope::PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
@@ -82,27 +88,19 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   // curve.
   c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
   c.curvature = walk_ * p.curvature;
+  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the negative of its conjugate
+  // is used instead.
+  c.along = motion_.side() * (r_g_ + c.lambda() * c.w / r_p_);
+  c.across = c.lambda() * c.s / r_p_;
+  c.turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
   return c;
 }
 
-Vec2 PinionEnvelope::point(double t) const {
-  const Contact c = contact(t);
-  const double side = motion_.side();
-  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the negative of its conjugate
-  // is used instead.
-  const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
-  const double across = c.lambda() * c.s / r_p_;
-  const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
-  const double cos_t = std::cos(turn);
-  const double sin_t = std::sin(turn);
-  return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
-}
+Vec2 PinionEnvelope::point(double t) const { return contact(t).point(); }
 
 double PinionEnvelope::polar_angle(double t) const {
   const Contact c = contact(t);
-  const double along = motion_.side() * (r_g_ + c.lambda() * c.w / r_p_);
-  return kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
-         std::atan2(c.lambda() * c.s / r_p_, along);
+  return c.turn + std::atan2(c.across, c.along);
 }
 
 CurvePoint PinionEnvelope::at(double t) const {
@@ -121,9 +119,8 @@ CurvePoint PinionEnvelope::at(double t) const {
   }
   const double side = motion_.side();
   const double direction = walk_ * meeting_ * below;  // > 0 if t grows along `tangent`
-  const double tangent = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
-                         side * (c.kappa + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
-  return {point(t), tangent + (direction < 0.0 ? kPi : 0.0),
+  const double tangent = c.turn + side * (c.kappa + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
+  return {c.point(), tangent + (direction < 0.0 ? kPi : 0.0),
           side * above / below * (direction < 0.0 ? -1.0 : 1.0)};
 }
 
