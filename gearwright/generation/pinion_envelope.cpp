@@ -48,9 +48,9 @@ CurvePoint CornerFan::at(double nu) const {
 }
 
 struct PinionEnvelope::Contact {
-  double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
-  double curvature;               // k of the cutter's curve, followed from root to tip
-  double along, across, turn;     // the point of the gear is (along + i across) e^{i turn}
+  double s, q, w, kappa;
+  double curvature;            // k of the cutter's curve, followed from root to tip
+  double along, across, turn;  // the point of the gear is (along + i across) e^{i turn}
   double lambda() const { return w - q; }
   Vec2 point() const {
     const double cos_t = std::cos(turn);
@@ -86,13 +86,13 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   c.kappa = std::atan2(c.s, c.w);
   // ν lies in the half turn that begins at the polar angle. The polar angle is continuous along the
   // curve.
-  c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
+  const double turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;  // ϑ = ν − κ
   c.curvature = walk_ * p.curvature;
   // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the negative of its conjugate
   // is used instead.
   c.along = motion_.side() * (r_g_ + c.lambda() * c.w / r_p_);
   c.across = c.lambda() * c.s / r_p_;
-  c.turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
+  c.turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * turned;
   return c;
 }
 

@@ -17,6 +17,10 @@ Vec2 point_of(const RackCut<double>& cut, double r) {
   return {u * cos_phi - cut.k * sin_phi, u * sin_phi + cut.k * cos_phi};
 }
 
+double transverse(const RackMotion& motion, double tau) {
+  return std::atan2(std::sin(tau), motion.cos_beta * std::cos(tau));
+}
+
 }  // namespace
 
 RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
@@ -83,14 +87,6 @@ std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) cons
     angles.push_back(std::asin(s));
   return angles;
 }
-
-namespace {
-
-double transverse(const RackMotion& motion, double tau) {
-  return std::atan2(std::sin(tau), motion.cos_beta * std::cos(tau));
-}
-
-}  // namespace
 
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
   const double alpha_t = transverse(motion, line.tau.rad());
