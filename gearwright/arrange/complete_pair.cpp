@@ -96,7 +96,7 @@ void shorten_tips(GivenPair& given, double a) {
   };
   for (const auto& gear : given.gears) {
     const CylindricalSpec& c = gear->cylindrical;
-    extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
+    extended += side * side_of(c.teeth) * reference_radius(c);
     extended += side * c.normal_module * c.profile_shift;
   }
   // Tips are never lengthened. At a greater centre distance, the tip clearance exceeds the

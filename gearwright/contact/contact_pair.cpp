@@ -205,7 +205,7 @@ void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
   tilt_ = detail::tilt(mirror() * e.crossing.rad(), turned() * e.intersecting.rad());
   // [T8.26]
-  lift_.r = Vec3(0, 0, turned() * e.axial) + middle(1) * tilt_.matrix().col(2);
+  lift_.r = Vec3(0, 0, turned() * e.axial) + (tilt_ * along_1(0.0, middle(1))).v;
   const LinearMap<Axis2, World> shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
   const FreeVector<World> from_axis_2{lift_.r -
                                       Vec3(place_.center_distance + e.center_distance, 0, 0)};

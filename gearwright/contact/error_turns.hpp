@@ -14,49 +14,45 @@
 
 namespace gearwright::detail {
 
-inline Mat3 crossing_turn(double g) {
+struct Crossed {};  ///< the frame N after the rotation Δγ
+
+/// The rotation about x with the cosine c and the sine s, if `along` is 1. The derivative of this
+/// rotation has `along` = 0, c = −sin and s = cos. The same holds for intersecting_turn().
+template <class To, class From>
+LinearMap<To, From> crossing_turn(double along, double c, double s) {
   Mat3 m;
-  m << 1, 0, 0, 0, std::cos(g), std::sin(g), 0, -std::sin(g), std::cos(g);
-  return m;
+  m << along, 0, 0, 0, c, s, 0, -s, c;
+  return LinearMap<To, From>(m);
 }
 
-inline Mat3 crossing_turn_slope(double g) {
+inline LinearMap<Crossed, Axis1> intersecting_turn(double along, double c, double s) {
   Mat3 m;
-  m << 0, 0, 0, 0, -std::sin(g), std::cos(g), 0, -std::cos(g), -std::sin(g);
-  return m;
-}
-
-inline Mat3 intersecting_turn(double d) {
-  Mat3 m;
-  m << std::cos(d), 0, std::sin(d), 0, 1, 0, -std::sin(d), 0, std::cos(d);
-  return m;
-}
-
-inline Mat3 intersecting_turn_slope(double d) {
-  Mat3 m;
-  m << -std::sin(d), 0, std::cos(d), 0, 0, 0, -std::cos(d), 0, -std::sin(d);
-  return m;
+  m << c, 0, s, 0, along, 0, -s, 0, c;
+  return LinearMap<Crossed, Axis1>(m);
 }
 
 /// The tilt of axis 1 by the angles g of crossing and d of intersecting.
 inline LinearMap<World, Axis1> tilt(double g, double d) {
-  return LinearMap<World, Axis1>(crossing_turn(g) * intersecting_turn(d));
+  return crossing_turn<World, Crossed>(1, std::cos(g), std::sin(g)) *
+         intersecting_turn(1, std::cos(d), std::sin(d));
 }
 
 /// `sign` times the derivative of tilt() with respect to g.
 inline LinearMap<World, Axis1> tilt_per_crossing(double g, double d, double sign) {
-  return LinearMap<World, Axis1>(sign * crossing_turn_slope(g) * intersecting_turn(d));
+  return crossing_turn<World, Crossed>(0, -sign * std::sin(g), sign * std::cos(g)) *
+         intersecting_turn(1, std::cos(d), std::sin(d));
 }
 
 /// `sign` times the derivative of tilt() with respect to d.
 inline LinearMap<World, Axis1> tilt_per_intersecting(double g, double d, double sign) {
-  return LinearMap<World, Axis1>(sign * crossing_turn(g) * intersecting_turn_slope(d));
+  return crossing_turn<World, Crossed>(1, std::cos(g), std::sin(g)) *
+         intersecting_turn(0, -sign * std::sin(d), sign * std::cos(d));
 }
 
 /// Rotates directions into the frame of gear 2 at rotation 0. Axis 2 has the direction (0, sin Σ,
 /// cos Σ) in the frame N.
 inline LinearMap<Axis2, World> shaft_turn(double sigma) {
-  return LinearMap<Axis2, World>(crossing_turn(-sigma));
+  return crossing_turn<Axis2, World>(1, std::cos(-sigma), std::sin(-sigma));
 }
 
 }  // namespace gearwright::detail

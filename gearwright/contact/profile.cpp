@@ -67,19 +67,17 @@ Profile::Profile(const RackFlank& flank, double side)
 
 PolarJet Profile::at(double s) const {
   GW_EXPECTS(curve_ != nullptr);
-  const auto by_radius = [&](const auto& piece) {
-    double unused = s;
-    const RadialJet r = between_ends(piece, s, unused);
-    return PolarJet{std::exp(s) * r.factor / std::abs(r.factor), r.phase, Complex{1.0, r.d1},
-                    Complex{0.0, r.d2}};
+  const auto jet = [&](const auto& piece) {
+    if constexpr (requires { piece.curve->polar_jet(s); }) {
+      return piece.curve->polar_jet(s).on_side(side_);
+    } else {
+      double unused = s;
+      const RadialJet r = between_ends(piece, s, unused);
+      return PolarJet{std::exp(s) * r.factor / std::abs(r.factor), r.phase, Complex{1.0, r.d1},
+                      Complex{0.0, r.d2}};
+    }
   };
-  const auto involute = [&](const InvolutePiece& piece) {
-    return piece.curve->polar_jet(s).on_side(side_);
-  };
-  const auto trochoid = [&](const TrochoidPiece& piece) {
-    return piece.curve->polar_jet(s).on_side(side_);
-  };
-  return std::visit(Overloaded{involute, trochoid, by_radius}, piece_);
+  return std::visit(jet, piece_);
 }
 
 RadialJet Profile::between_ends(const InvolutePiece& piece, double u, double&) const {

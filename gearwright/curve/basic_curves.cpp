@@ -29,10 +29,7 @@ CurvePoint Involute::at(double xi) const {
   return {point(xi), base_half_angle_ - xi + back, -1.0 / (base_radius_ * std::abs(xi))};
 }
 
-double Involute::roll_at(double rho) const {
-  const double square = (rho - base_radius_) * (rho + base_radius_);
-  return std::sqrt(std::max(0.0, square)) / base_radius_;
-}
+double Involute::roll_at(double rho) const { return roll_length(rho, base_radius_) / base_radius_; }
 
 // This form has no cancellation. The argument of the point would lose digits near ξ = 0.
 double Involute::polar_angle(double xi) const { return base_half_angle_ - involute_of_roll(xi); }

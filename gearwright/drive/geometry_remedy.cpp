@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
@@ -107,7 +108,7 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
   if (!planet || !distance) return std::nullopt;
   const std::size_t gear = graph.meshes[mesh].gears[static_cast<std::size_t>(1 - *planet)];
   const DriveGear& rider = graph.gear(graph.meshes[mesh], *planet);
-  const int sign = graph.gears[gear].is_ring() ? -1 : 1;
+  const int sign = side_of<int>(graph.gears[gear].teeth);
   const double sum =
       2 * *distance * std::cos(rider.spec->helix_angle.rad()) / rider.spec->normal_module;
   const int nominal = static_cast<int>(std::lround(sum)) - sign * rider.teeth;

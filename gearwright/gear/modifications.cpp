@@ -9,6 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 
@@ -44,8 +45,6 @@ double in_um(double mm) {
                                   // errors
   return std::round(mm / kMmPerUm * kSteps) / kSteps;
 }
-
-double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0) * (rho + r0))); }
 
 constexpr const char* kTenth =
     "must lie between {} µm and {} µm, because at most a tenth of the depth of the usable flank is "
@@ -233,8 +232,8 @@ RemovalField::Ramp RemovalField::ramp(const Relief& relief, double from, double 
 
 RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
     : extent_(e),
-      roll_root_(length(e.rho_root_form, e.r0)),
-      roll_tip_(length(e.rho_tip_form, e.r0)),
+      roll_root_(roll_length(e.rho_root_form, e.r0)),
+      roll_tip_(roll_length(e.rho_tip_form, e.r0)),
       roll_mid_((roll_tip_ + roll_root_) / 2),
       waves_{m.profile_wave, m.helix_wave} {
   GW_EXPECTS(!check(m, e));
@@ -242,8 +241,8 @@ RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
   const auto [least, greatest] = std::minmax({roll_root_, roll_tip_});
   const double floor = std::max(least / 2, kMinRoll * greatest);
   y_floor_ = floor * floor;
-  tip_ = ramp(m.tip_relief, length(m.tip_relief.reach.value_or(0.0) / 2, e.r0), roll_tip_);
-  root_ = ramp(m.root_relief, length(m.root_relief.reach.value_or(0.0) / 2, e.r0), roll_root_);
+  tip_ = ramp(m.tip_relief, roll_length(m.tip_relief.reach.value_or(0.0) / 2, e.r0), roll_tip_);
+  root_ = ramp(m.root_relief, roll_length(m.root_relief.reach.value_or(0.0) / 2, e.r0), roll_root_);
   const double half = e.face_width / 2;
   end_ = ramp(m.end_relief, half - m.end_relief.reach.value_or(0.0), half);
   if (m.topography) topography_ = std::make_shared<TopographySpline>(*m.topography);
@@ -264,7 +263,7 @@ void RemovalField::make_cells() {
   const std::vector<double> z = with_ends(-half, kinks_z_, half);
   for (std::size_t i = 0; i + 1 < u.size(); ++i) {
     // The middle of a cell determines which reliefs apply in the cell.
-    const double L = length(std::exp((u[i] + u[i + 1]) / 2), extent_.r0);
+    const double L = roll_length(std::exp((u[i] + u[i + 1]) / 2), extent_.r0);
     const auto beyond = [](const Ramp& r, double x) {
       return r.placed && (x - r.from) / (r.to - r.from) > 0.0;
     };

@@ -57,9 +57,16 @@ struct PinionEnvelope::Contact {
   double curvature;  // k of the cutter's curve, followed from root to tip
   double lambda() const { return w - q; }
   double kappa() const { return std::atan2(s, w); }
-  // ϑ = ν − κ. ν lies in the half turn that begins at the polar angle, which is continuous along
-  // the curve.
-  double turned(double polar_angle) const { return polar_angle + std::atan2(s, q) - kappa(); }
+};
+
+// The point of the gear is (along + i across) e^{i turn}.
+struct PinionEnvelope::Place {
+  double along, across, turn;
+  Vec2 point() const {
+    const double cos_t = std::cos(turn);
+    const double sin_t = std::sin(turn);
+    return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
+  }
 };
 
 PinionEnvelope::PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
@@ -90,25 +97,21 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   return c;
 }
 
-Vec2 PinionEnvelope::point(double t) const {
-  const Contact c = contact(t);
-  const double side = motion_.side();
+PinionEnvelope::Place PinionEnvelope::place(double t, const Contact& c) const {
+  // ν lies in the half turn that begins at the polar angle. The polar angle is continuous along the
+  // curve.
+  const double turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa();  // ϑ = ν − κ
   // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the negative of its conjugate
   // is used instead.
-  const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
-  const double across = c.lambda() * c.s / r_p_;
-  const double turn =
-      kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned(cutter_->polar_angle(t));
-  const double cos_t = std::cos(turn);
-  const double sin_t = std::sin(turn);
-  return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
+  return {motion_.side() * (r_g_ + c.lambda() * c.w / r_p_), c.lambda() * c.s / r_p_,
+          kPi / std::abs(motion_.teeth) - std::abs(m_) * turned};
 }
 
+Vec2 PinionEnvelope::point(double t) const { return place(t, contact(t)).point(); }
+
 double PinionEnvelope::polar_angle(double t) const {
-  const Contact c = contact(t);
-  const double along = motion_.side() * (r_g_ + c.lambda() * c.w / r_p_);
-  return kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned(cutter_->polar_angle(t)) +
-         std::atan2(c.lambda() * c.s / r_p_, along);
+  const Place here = place(t, contact(t));
+  return here.turn + std::atan2(here.across, here.along);
 }
 
 CurvePoint PinionEnvelope::at(double t) const {
@@ -127,10 +130,9 @@ CurvePoint PinionEnvelope::at(double t) const {
   }
   const double side = motion_.side();
   const double direction = walk_ * meeting_ * below;  // > 0 if t grows along `tangent`
-  const double tangent = kPi / std::abs(motion_.teeth) -
-                         std::abs(m_) * c.turned(cutter_->polar_angle(t)) +
-                         side * (c.kappa() + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
-  return {point(t), tangent + (direction < 0.0 ? kPi : 0.0),
+  const Place here = place(t, c);
+  const double tangent = here.turn + side * (c.kappa() + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
+  return {here.point(), tangent + (direction < 0.0 ? kPi : 0.0),
           side * above / below * (direction < 0.0 ? -1.0 : 1.0)};
 }
 

@@ -84,8 +84,10 @@ class PinionEnvelope final : public Curve {
 
  private:
   struct Contact;
+  struct Place;
   struct Circle;
   Contact contact(double t) const;
+  Place place(double t, const Contact& contact) const;
   std::optional<Circle> circle() const;
   std::vector<double> centre_ways(std::span<const double> polynomial, double a, double b) const;
 

@@ -9,18 +9,14 @@
 
 namespace gearwright {
 
-RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
-    : motion_(motion), circle_(circle) {
-  circle_.center.x() += motion.shift;
-}
-
 namespace {
 
-// u + ik, turned by φ.
-Vec2 turned_by(double phi, double u, double k) {
-  const double sin_phi = std::sin(phi);
-  const double cos_phi = std::cos(phi);
-  return {u * cos_phi - k * sin_phi, u * sin_phi + k * cos_phi};
+// W = (r + x + ik) e^{iφ}
+Vec2 point_of(const RackCut<double>& cut, double r) {
+  const double u = r + cut.x;
+  const double sin_phi = std::sin(cut.phi);
+  const double cos_phi = std::cos(cut.phi);
+  return {u * cos_phi - cut.k * sin_phi, u * sin_phi + cut.k * cos_phi};
 }
 
 // The coefficients of F as a polynomial in s = sin τ. [T3.9]
@@ -32,11 +28,19 @@ std::array<double, 5> cusp_coefficients(const RackMotion& motion, const EdgeCirc
           sin2 * q * q};
 }
 
+double transverse(const RackMotion& motion, double tau) {
+  return std::atan2(std::sin(tau), motion.cos_beta * std::cos(tau));
+}
+
 }  // namespace
 
+RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
+    : motion_(motion), circle_(circle) {
+  circle_.center.x() += motion.shift;
+}
+
 Vec2 RackTrochoid::point(double tau) const {
-  const auto [x, k, phi] = cut(std::sin(tau), std::cos(tau));
-  return turned_by(phi, motion_.pitch_radius + x, k);
+  return point_of(cut(std::sin(tau), std::cos(tau)), motion_.pitch_radius);
 }
 
 double RackTrochoid::polar_angle(double tau) const {
@@ -61,15 +65,15 @@ CurvePoint RackTrochoid::at(double tau) const {
   const double s = std::sin(tau);
   const double c = std::cos(tau);
   const double q = circle_.q;
-  const auto [x, k, phi] = cut(s, c);
+  const RackCut<double> here = cut(s, c);
   const double tau_t = std::atan2(s, cb * c);
   const double square = s * s + cb * cb * c * c;
   // dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β). [T3.9]
   const double f = evaluate_polynomial(cusp_coefficients(motion_, circle_), s);
   const double v = f * std::sqrt(square) / (s * s * s * r * cb);
-  const double phi_1 = (-q * s / cb - (q * c * c * cb / s - x * cb / (s * s))) / r;
+  const double phi_1 = (-q * s / cb - (q * c * c * cb / s - here.x * cb / (s * s))) / r;
   const double turn = phi_1 - cb / square;
-  return {turned_by(phi, r + x, k), phi - tau_t + (v < 0.0 ? std::numbers::pi : 0.0),
+  return {point_of(here, r), here.phi - tau_t + (v < 0.0 ? std::numbers::pi : 0.0),
           turn / std::abs(v)};
 }
 
@@ -90,14 +94,6 @@ std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) cons
     angles.push_back(std::asin(s));
   return angles;
 }
-
-namespace {
-
-double transverse(const RackMotion& motion, double tau) {
-  return std::atan2(std::sin(tau), motion.cos_beta * std::cos(tau));
-}
-
-}  // namespace
 
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
   const double alpha_t = transverse(motion, line.tau.rad());

@@ -81,7 +81,7 @@ class TipMotion {
   /// Azimuth of the axis of B, in the frame of A.
   double start() const { return start_; }
   /// The direction of the axis of B, in the frame of A.
-  Vec3 axis() const { return to_b_.isometry().linear().transpose() * Vec3(0, 0, 1); }
+  Vec3 axis() const { return to_b_.inverse().axis(2); }
   Point<Tip> in_a(double angle, double z) const {
     return {Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z)};
   }

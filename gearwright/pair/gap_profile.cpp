@@ -112,7 +112,7 @@ ProfilePlace ProfileArc::at_radius(double rho) const { return find(rho).place; }
 double ProfileArc::u_at_radius(double rho) const { return find(rho).u; }
 
 GapProfile::GapProfile(const Outline& outline)
-    : teeth_(std::abs(outline.teeth)), ring_(outline.teeth < 0) {
+    : teeth_(std::abs(outline.teeth)), side_(outline.side()) {
   GW_EXPECTS(!outline.arcs.empty());
   root_radius_ = outline.arcs.front().begin_point.norm();
   tip_radius_ = outline.arcs.back().end_point.norm();

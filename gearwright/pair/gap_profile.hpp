@@ -57,9 +57,8 @@ class GapProfile {
   /// `outline` must outlive this object.   Domain: a tooth with arcs (contract)
   explicit GapProfile(const Outline& outline);
 
-  int teeth() const { return teeth_; }  ///< |z|
-  bool ring() const { return ring_; }
-  double side() const { return ring_ ? -1.0 : 1.0; }  ///< σ
+  int teeth() const { return teeth_; }   ///< |z|
+  double side() const { return side_; }  ///< σ
   double tip_radius() const { return tip_radius_; }
   double root_radius() const { return root_radius_; }
   const std::vector<ProfileArc>& arcs() const { return arcs_; }
@@ -70,7 +69,7 @@ class GapProfile {
 
  private:
   int teeth_;
-  bool ring_;
+  double side_;
   double tip_radius_, root_radius_;
   std::vector<ProfileArc> arcs_;
   std::vector<ProfileCorner> corners_;

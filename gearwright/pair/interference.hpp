@@ -21,14 +21,15 @@ void find_internal_margins(ParallelPair& pair);
 void find_fillet_clearance(ParallelPair& pair);
 /// Finds overlap of the outlines and contact beyond the flanks, and computes the free play.
 /// `half_play` is half the play of the flanks as a turn of gear 2. `normal_play` is the whole
-/// play along the normal, mm. `saddle` is the depth, mm, to which flanks overlap beside their
-/// line of action. [T2.29]…[T2.33]
-/// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating gear.
-///           They are compared with its fillets [T4.33] and, if one gear is internal, also with its
-///           flanks
-void find_collisions(MountedGears& pair, double half_play, double normal_play, double saddle = 0.0);
-/// Calls find_collisions() for an involute pair. The function then removes from `interference` all
-/// findings that do not explain an overlap, so it must be called last.
-void find_overlap(InvolutePair& pair, double saddle);
+/// play along the normal, mm. [T2.29]…[T2.33]
+///
+/// Domain    parallel axes, and both gears with a tooth
+void find_collisions(MountedGears& pair, double half_play, double normal_play);
+/// Calls find_collisions() for an involute pair. On crossed axes, only tips are compared with the
+/// mating gear: with its fillets [T4.33] and, if one gear is internal, also with its flanks. The
+/// function then removes from `interference` all findings that do not explain an overlap, so it must
+/// be called last.
+void find_overlap(ParallelPair& pair);
+void find_overlap(CrossedPair& pair);
 
 }  // namespace gearwright::detail

@@ -191,22 +191,6 @@ void find_own(CrossedPair& p) {
   p.face_widths = face_widths(p.mesh);
 }
 
-// Returns the depth to which the flanks overlap beside the line of action, mm. To second order, the
-// depth grows with the square of the distance from the contact. At the distance b/2, the depth
-// equals the needed lead crowning. The contact lies up to f'/2 from the middle of the face, so no
-// point of the face is farther than (b + f')/2 from the contact. Higher orders add less than half
-// of the second-order depth.
-double saddle_depth(const ParallelPair&) { return 0.0; }
-double saddle_depth(const CrossedPair& p) {
-  constexpr double kHigherOrders = 1.5;
-  double depth = 0.0;
-  for (std::size_t i : {0U, 1U}) {
-    const double off = std::min(1.0, p.face_widths.both_flanks[i] / p.input.face_width[i]);
-    depth = std::max(depth, p.needed_crowning[i].value_or(0.0) * (1 + off) * (1 + off));
-  }
-  return kHigherOrders * depth;
-}
-
 // Computes the reference and the extended centre distance, and the tip shortening.
 void find_distances(InvolutePair& p) {
   const Gear& g1 = p.gears[0];
@@ -237,7 +221,7 @@ Result<Kind> mounted(Gear gear_1, Gear gear_2, const PairPlace& place,
   detail::find_form_clearance(p);
   detail::find_tip_clearance(p);
   find_own(p);
-  detail::find_overlap(p, saddle_depth(p));
+  detail::find_overlap(p);
   warn_about_backlash(p);
   warn_about_line(p);
   warn_about_friction(p);

@@ -204,7 +204,7 @@ class CornerFamily {
   CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)
       : m_(motion), corner_(corner), arc_(arc) {
     side_ = m_.asked.side();
-    deepest_ = m_.asked.ring() ? m_.a + corner.rho : std::abs(m_.a - corner.rho);
+    deepest_ = std::abs(m_.a - side_ * corner.rho);
     entry_ = m_.entry(corner.name, arc.arc->name);
     const double at_root = excess(arc.rho_root);
     const double at_tip = excess(arc.rho_tip);

@@ -11,6 +11,7 @@
 #include <array>
 #include <numbers>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -229,8 +230,8 @@ void explain(InvolutePair& p) {
 
 // Returns the touches whose gap may be smaller than the gap of the flanks. On parallel axes, the
 // result also contains the touches of a flank with a flank.
+std::vector<OutlineTouch> touches_of(const CrossedPair& p, double) { return crossed_gaps(p); }
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
-  if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;
   const OutlineGap gap = outline_gap(p.gears[0].tooth->outline, p.gears[1].tooth->outline,
                                      p.center_distance, half_play);
@@ -242,9 +243,23 @@ std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
   return touches;
 }
 
-}  // namespace
+// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth grows
+// with the square of the distance from the contact, and at the distance b/2 it equals the needed
+// lead crowning. The contact lies up to f'/2 from the middle of the face, so no point of the face
+// is farther than (b + f')/2 from the contact. Higher orders add less than half of the second-order
+// depth.
+double saddle_depth(const CrossedPair& p) {
+  constexpr double kHigherOrders = 1.5;
+  double depth = 0.0;
+  for (std::size_t i : {0U, 1U}) {
+    const double off = std::min(1.0, p.face_widths.both_flanks[i] / p.input.face_width[i]);
+    depth = std::max(depth, p.needed_crowning[i].value_or(0.0) * (1 + off) * (1 + off));
+  }
+  return kHigherOrders * depth;
+}
 
-void find_collisions(MountedGears& p, double half_play, double normal_play, double saddle) {
+template <class Kind>
+void collide(Kind& p, double half_play, double normal_play, double saddle) {
   const double close = touching(p);
   p.overlap.emplace();
   for (int tip : {1, 2}) {
@@ -254,7 +269,7 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
   if (!p.overlap->empty()) return;
   double least = half_play;
   const bool too_thick_teeth = -normal_play / 2 > close;
-  const bool flanks_compared = !p.crossed();
+  constexpr bool flanks_compared = !std::is_same_v<Kind, CrossedPair>;
   if (too_thick_teeth && !flanks_compared)
     p.overlap->push_back(too_thick(normal_play, std::nullopt));
   for (const OutlineTouch& touch : touches_of(p, half_play)) {
@@ -279,14 +294,23 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
   deepest_first(p.beyond_flank);
 }
 
-void find_overlap(InvolutePair& p, double saddle) {
+template <class Kind>
+void collide_and_explain(Kind& p, double saddle) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
-  find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
+  collide(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
   // If a tip extends below a root circle, the outlines are not compared, and all findings remain.
   if (p.free_play) explain(p);
   // If the flanks overlap beside the line of action, the actual free play is less than the computed
   // one, so it is left empty.
   if (saddle > 0.0) p.free_play.reset();
 }
+
+}  // namespace
+
+void find_collisions(MountedGears& p, double half_play, double normal_play) {
+  collide(p, half_play, normal_play, 0.0);
+}
+void find_overlap(ParallelPair& p) { collide_and_explain(p, 0.0); }
+void find_overlap(CrossedPair& p) { collide_and_explain(p, saddle_depth(p)); }
 
 }  // namespace gearwright::detail
