@@ -1,4 +1,5 @@
-// The verb search, in one process or several: command line, progress, Ctrl-C and output.
+// The verb `search` in one process or several: its command line, progress display, reaction to
+// Ctrl-C, and output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,8 +14,8 @@
 
 namespace gearwright::apps {
 
-// Command-line options for work that several processes can share through a common folder. This work
-// is the verb search, or the verb scatter over the designs of a search.
+// Command-line options for work that several processes can share through a common folder. The verb
+// `search` does such work, and so does the verb `scatter` over the designs of a search.
 
 struct CampaignCommand {
   std::string spec;

@@ -51,7 +51,8 @@ class ContactSetup {
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
   /// Returns the pair with root fillets and rounded tips in addition to the flanks. Returns none if
-  /// the cutter of a gear has a changed lead angle and no rack cut the root of this gear.
+  /// the errors change the lead angle of a cutter, and recut_outline() returns no outline for the
+  /// gear of this cutter.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
