@@ -30,8 +30,8 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        "error of the centre distance; axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "angle of the deviation f_Σβ, by which axis 1 turns about the centre line; the shaft angle "
-       "increases by the same angle; > 0 towards +y"},
+       "angle of the deviation f_Σβ, by which axis 1 turns about the centre line; > 0 if the +z "
+       "end of axis 1 turns towards +y. The shaft angle increases by the same angle"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
        "angle of the deviation f_Σδ, by which axis 1 tilts in the plane of the axes; > 0 towards "

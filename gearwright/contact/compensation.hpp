@@ -58,8 +58,8 @@ struct CompensationTask {
   int positions = 24;       ///< per pitch, during the search
   int fine_positions = 64;  ///< per pitch, for the reported scores
   int curves = 6000;        ///< approximate limit of the TE curves computed in each search
-  /// w, the cost of a pattern at the end of the face. If it is absent, default_centering() is used,
-  /// and corrections must not increase the transmission error.
+  /// w, the penalty for a contact pattern at the end of the face. If w is absent,
+  /// default_centering() is used, and corrections must not increase the transmission error.
   std::optional<Angle> centering{};
   /// False if q is ignored. This is useful if the contact point moves along the whole face anyway.
   bool along_face = true;
