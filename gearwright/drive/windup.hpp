@@ -35,8 +35,7 @@ struct WindupMesh {
 ///
 /// Formula   [T13.32], [T13.33]
 /// Laws      (1) the variation of a single mesh is deflection_variation(); (2) a common factor of
-///               the
-///           weights or a common delay does not change the variation
+///           the weights or a common delay does not change the variation
 std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes);
 
 /// Returns the variation of Θ of a drive. Returns none if there are several inputs or redundant

@@ -69,7 +69,7 @@ struct FigureMark {
   /// the name of a curve.
   std::string words = {};
   Anchor anchor = Anchor::start;
-  Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
+  Vec2 offset = Vec2::Zero();  ///< px, from the point to its text
   double radius = 3.0;         ///< px, of a dot
   int frame = -1;              ///< position of the slider at which the mark is shown; −1 for all
   /// The name of a line, dot, circle or cross as SVG markup. The name of a line or a circle is

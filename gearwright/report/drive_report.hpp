@@ -17,7 +17,7 @@ namespace gearwright {
 struct DriveReportInput {
   std::string title;  ///< if empty, a title is made from the tooth numbers
   const Drive* drive = nullptr;
-  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed; there is no scheme
+  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed; then no scheme
   const DriveLayout* layout = nullptr;  ///< null if the drive cannot be assembled
   std::string why_no_layout;            ///< if `layout` is null, the reason, as a sentence
   Verdict verdict;

@@ -115,7 +115,7 @@ struct Deviation {
 
 /// The member at x, whose coordinates are in the order of the tolerances.
 ///
-/// Domain    as many coordinates as the tolerances have (contract)
+/// Domain    x has one value for each coordinate of the tolerances (contract)
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 
