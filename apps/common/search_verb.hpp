@@ -61,7 +61,7 @@ CLI::App* add_search(CLI::App& app, SearchCommand& command);
 /// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
 
-// The verb scatter over the designs of a search, in one process or several: options, progress,
+// The verb `scatter` over the designs of a search, in one process or several: options, progress,
 // Ctrl-C and output.
 
 struct StudyCommand : CampaignCommand {
@@ -74,7 +74,7 @@ struct StudyCommand : CampaignCommand {
 
 void add_study_options(CLI::App* sub, StudyCommand& command);
 
-/// Adds the verb scatter to a program that supports it only for the designs of a search.
+/// Adds the verb `scatter` to a program that supports it only for the designs of a search.
 CLI::App* add_study(CLI::App& app, StudyCommand& command);
 
 /// Returns the exit status.   Throws  IoError

@@ -127,7 +127,7 @@ Angle default_centering(Angle peak_to_peak);
 /// within the bounds of this correction, and is the double nearest to its decimal number. A result
 /// of 0 has no sign.
 ///
-/// Domain    as many values as corrections, parts > 0 (contract)
+/// Domain    one value for each correction, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,
                                std::vector<double> values, double parts);
 

@@ -59,8 +59,8 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
 /// Returns the least S_H or S_F of all meshes, or none if no mesh is rated.
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
 
-/// Returns the greatest specific sliding |ζ| at the ends of the paths of all meshes of two involute
-/// gears. It is infinite if a path ends at a base circle. Returns none without such meshes.
+/// Returns the greatest specific sliding |ζ| at the ends of the paths of contact of all involute
+/// meshes. It is infinite if a path ends at a base circle. Returns none without such meshes.
 std::optional<double> greatest_sliding(const DriveGeometry& geometry);
 
 }  // namespace gearwright

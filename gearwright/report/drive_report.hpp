@@ -41,9 +41,9 @@ std::string drive_report_html(const DriveReportInput& input);
 /// (rack_mesh.hpp).
 std::string shape_name(std::size_t gear);
 
-/// The name of the shape of the rack of a mesh. A rack with several meshes has another shape for
-/// each mesh after the first, because the length of a path unit depends on the pinion. If gear 2 is
-/// not a rack, the result is shape_name() of gear 2.
+/// The name of the shape that represents a rack in one mesh. A rack with several meshes has another
+/// shape for each mesh after the first, because the length of a path unit depends on the pinion. If
+/// gear 2 is not a rack, the result is shape_name() of gear 2.
 std::string rack_shape_name(const Drive& drive, std::size_t mesh);
 
 std::string drive_definitions(const Drive& drive);
