@@ -16,7 +16,7 @@ namespace gearwright {
 struct DesignView {
   const SearchProblem* problem;
   const DesignRow* row;
-  std::function<Value()> edges{};  ///< edges of the region; none if they are omitted
+  std::function<Value()> edges{};  ///< edges of the region; empty if the result omits the edges
 };
 
 const Quantities<DesignView>& design_quantities();

@@ -25,7 +25,7 @@ constexpr bool is_slope(Modification m) {
 
 /// Corrections that a workshop makes. Each amount is added to the amount on the drawing.
 struct SetupChange {
-  double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
+  double tool_setting = 0.0;           ///< Δb_F  mm, change for the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
   /// Amounts of each gear. Slopes are added to the working flanks only, and all other amounts to
   /// both flanks. An amount of a relief requires that the drawing has this relief.

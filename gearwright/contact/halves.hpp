@@ -58,7 +58,7 @@ struct HalvesMesh {
 /// The pairs of both halves under the same errors. The pairs own their gears.
 struct HalvesPair {
   std::array<std::shared_ptr<const ContactPair>, 2> half;  ///< A, and the mirror image of B
-  HalvesMesh mesh;                                         ///< points to both pairs in `half`
+  HalvesMesh mesh;                                         ///< mesh of both pairs in `half`
 };
 
 /// Makes both halves of a double-helical pair under any errors.

@@ -30,8 +30,8 @@ struct DriveGeometry {
   std::vector<std::optional<double>> distance;  ///< a of each mesh  mm
   std::vector<std::optional<double>> shift;     ///< x of each gear
   std::vector<std::optional<Gear>> gears;
-  std::vector<std::optional<Pair>> pairs;      ///< one for each mesh of two gears
-  std::vector<std::optional<RackPair>> racks;  ///< one for each mesh with a rack
+  std::vector<std::optional<Pair>> pairs;      ///< a pair for each mesh of two gears
+  std::vector<std::optional<RackPair>> racks;  ///< a pair for each mesh with a rack
   std::vector<GeometryFault> faults;
 
   /// Returns the pair of a mesh of two involute gears. Returns null for circular arcs, for a rack,

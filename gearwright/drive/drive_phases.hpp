@@ -27,9 +27,9 @@ struct MeshPhase {
   bool turned = false;
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
-  double time = 0.0;             ///< delay after the first mesh of the same frequency, in periods
-  std::size_t first = 0;         ///< first mesh of the same frequency; an idle mesh has its own
-                                 ///< index here
+  double time = 0.0;             ///< delay after the first mesh with this frequency, in periods
+  std::size_t first = 0;         ///< index of the first mesh with this frequency; for an idle mesh,
+                                 ///< the index of this mesh
   double sense = 1.0;            ///< −1 if the delays of the planets are −γ_i
   std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
 

@@ -25,7 +25,7 @@ struct DriveLoad {
   RatingInput common;           ///< all other inputs; K_γ applies only to meshes with N > 1
   std::vector<double> mesh_load_factors{};  ///< K_γ of each mesh; if empty, K_γ of `common` is used
   const char* factor_origin = nullptr;      ///< source of `mesh_load_factors`; null if the user
-                                            ///< gives them
+                                            ///< gives the factors
 };
 
 /// A function that returns the material of a gear, by its index in the graph.

@@ -73,8 +73,9 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
 struct FlankLayers {
   const FlankRaster* pattern = nullptr;  ///< least gap during a mesh
   const FlankRaster* gap = nullptr;      ///< gap at one position
-  const ContactPoint* now = nullptr;     ///< contact at that position
-  bool way = true;  ///< true to draw the path of the contact point, with its ellipses or lines
+  const ContactPoint* now = nullptr;     ///< contact at the position of `gap`
+  bool way = true;  ///< true to draw the path of the contact point, with contact ellipses or
+                    ///< contact lines
 };
 /// Draws the flank of gear `which` (0, 1).
 ///

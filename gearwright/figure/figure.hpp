@@ -166,7 +166,8 @@ struct Figure {
   std::optional<FigureShades> shades = {};
   std::optional<FigureGrid> grid = {};
   std::optional<FigureSlide> slide = {};
-  std::vector<FigureLeader> leaders = {};  ///< if there are any, marks are clipped to the plot
+  std::vector<FigureLeader> leaders = {};  ///< names beside the plot; if the figure has leaders,
+                                           ///< marks are clipped to the plot
   std::vector<FigureGroup> groups = {};
   std::string definitions = {};  ///< SVG definitions of shapes; empty if the page contains them
 

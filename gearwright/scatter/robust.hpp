@@ -33,7 +33,7 @@ struct JudgedFamily {
   /// Probability that an edge touches or, under load, carries load.
   Probability edge;
   Probability lost;                    ///< probability that a sample has no f
-  std::vector<LoadedSpread> loaded{};  ///< one for each torque; empty for rigid teeth
+  std::vector<LoadedSpread> loaded{};  ///< results for each torque; empty for rigid teeth
 
   /// The percentile, rad.
   const Percentile& percentile() const { return peak_to_peak.percentiles[0]; }
