@@ -167,7 +167,7 @@ const KeyTable& contact_keys() {
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),
        Key::part("map", contact_map_keys, &ContactInput::map,
-                 "map of the peak-to-peak transmission error over two errors")},
+                 "map of the peak-to-peak transmission error as a function of two errors")},
       check_contact};
   return table;
 }
@@ -175,7 +175,8 @@ const KeyTable& contact_keys() {
 const KeyTable& contact_map_keys() {
   static const KeyTable table{
       "contact_map",
-      "Map of the peak-to-peak transmission error over two errors; [errors] gives the other errors",
+      "Map of the peak-to-peak transmission error as a function of two errors; [errors] gives the "
+      "other errors",
       {Key::word("x", error_words(), axis(0), kRequired, "a key of [errors], such as crossing_deg")
            .with_form("a key of `[errors]`"),
        Key::number("x_range", "", {}, range(0), kRequired,
