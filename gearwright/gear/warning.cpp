@@ -351,7 +351,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::rating_quality, "rating_quality", kCaution,
      "`quality` of [rating] differs from the accuracy grade of a gear on the drawing",
      "a rating with an accuracy grade that differs from the drawing",
-     "Leave out `quality` in [rating]; the rating then uses the grades of the gears."},
+     "Leave out `rating.quality`; the rating then uses the grades of the gears."},
     {C::tolerance_editions, "tolerance_editions", kNote,
      "the rating and the drawing use the tolerances of different editions of ISO 1328-1 (verb "
      "`run`)"},
