@@ -76,8 +76,7 @@ std::string words_of(const FigureAxis& axis) {
 
 struct Layout {
   double left, right, top, bottom;  // px, of the plot
-  double foot;                      // px, y of the x axis, below the lanes
-  double height;                    // px, total height of the figure
+  double foot, height;              // px: y of the x axis below the lanes; height of the figure
   double note = 20.0;               // px, height of the line of the note
   // px, height of the line of words above each lane; 0 if the words are left of the lane
   double lane_words = 0.0;
