@@ -1,5 +1,5 @@
-// The verbs run, export and import. `run` writes all files that are possible for a spec, `export`
-// writes the requested files, and `import` prints a REXS file as a spec.
+// The verbs `run`, `export` and `import`. `run` writes all files that are possible for a spec,
+// `export` writes the requested files, and `import` prints a REXS file as a spec.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The verb search, in one process or several: command line, progress, Ctrl-C and output.
+// The verb `search` in one process or several: its command line, progress display, reaction to
+// Ctrl-C, and output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,8 +14,8 @@
 
 namespace gearwright::apps {
 
-// Command-line options for work that several processes can share through a common folder. This work
-// is the verb search, or the verb scatter over the designs of a search.
+// Command-line options for work that several processes can share through a common folder. The verb
+// `search` does such work, and so does the verb `scatter` over the designs of a search.
 
 struct CampaignCommand {
   std::string spec;
@@ -60,7 +61,7 @@ CLI::App* add_search(CLI::App& app, SearchCommand& command);
 /// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
 
-// The verb scatter over the designs of a search, in one process or several: options, progress,
+// The verb `scatter` over the designs of a search, in one process or several: options, progress,
 // Ctrl-C and output.
 
 struct StudyCommand : CampaignCommand {
@@ -73,7 +74,7 @@ struct StudyCommand : CampaignCommand {
 
 void add_study_options(CLI::App* sub, StudyCommand& command);
 
-/// Adds the verb scatter to a program that supports it only for the designs of a search.
+/// Adds the verb `scatter` to a program that supports it only for the designs of a search.
 CLI::App* add_study(CLI::App& app, StudyCommand& command);
 
 /// Returns the exit status.   Throws  IoError

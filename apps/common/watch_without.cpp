@@ -1,5 +1,5 @@
-// Without threads, a computation cannot be watched. There is no line of progress, and a signal ends
-// the program in the usual way.
+// The class Watch for builds without threads. In such builds, no second thread can show the
+// progress of a computation, and a signal ends the program at once.
 #include "apps/common/watch.hpp"
 
 namespace gearwright::apps {

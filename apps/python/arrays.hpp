@@ -42,7 +42,7 @@ py::array_t<T> array_of(std::vector<T> numbers, std::vector<py::ssize_t> shape) 
   return array_of<T>(std::move(owner), data, std::move(shape));
 }
 
-/// A structured array that is being filled.
+/// Builds a structured array of NumPy, which take() returns.
 class StructuredArray {
  public:
   StructuredArray() = default;
@@ -52,7 +52,7 @@ class StructuredArray {
   /// Adds a column with the given type ("f8", "i8", "?", "U7") and shape. Returns its index.
   std::size_t add(const std::string& name, const std::string& format,
                   const std::vector<py::ssize_t>& shape = {});
-  /// Allocates this number of rows. All columns must have been added before.
+  /// Allocates the array with this number of rows. Every column must be added before this call.
   void allocate(std::size_t rows);
   /// Sets the values of one column in one row. The number of values must agree with the shape of
   /// the column. A missing value becomes NaN, false or "".

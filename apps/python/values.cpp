@@ -211,7 +211,7 @@ std::optional<std::filesystem::path> path_or_none(py::handle value, const std::s
 }
 
 int threads_in_range(int threads) {
-  constexpr int kMostThreads = 1024;  // as in the verbs batch and search
+  constexpr int kMostThreads = 1024;  // as in the verbs `batch` and `search`
   if (threads < 0 || threads > kMostThreads)
     raise(refused("threads", threads,
                   "must lie between 1 and " + std::to_string(kMostThreads) +

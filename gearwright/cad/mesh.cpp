@@ -133,7 +133,8 @@ class GearMesh {
   std::optional<Error> add_groove(MeshBuilder& builder) const {
     const auto& [gap, radius, stagger] = *body().two_helices;
     const auto cap = cap_at(radius, -bands_.front().width / 2);
-    if (!cap) return not_a_body(body().outline.teeth, "the flanks of a tooth space cross");
+    if (!cap)
+      return not_a_body(body().outline.teeth, "the flanks of a tooth space cross each other");
     const double low = gear_.height - gap / 2.0, high = gear_.height + gap / 2.0;
     const CapPlace under{true, low, bands_.front().angle(low), lower_.top};
     const CapPlace over{false, high, bands_.back().angle(high), upper_.bottom};
@@ -246,7 +247,7 @@ class GearMesh {
     if (2.0 * static_cast<double>(n) * copies_ * rings > kVerticesMax) return too_fine();
     for (std::size_t i = 1; i < n; ++i)
       if (!(half_[i].point.y() > 0.0))
-        return not_a_body(body().outline.teeth, "the flanks of a tooth cross");
+        return not_a_body(body().outline.teeth, "the flanks of a tooth cross each other");
     return std::nullopt;
   }
 
@@ -270,7 +271,7 @@ class GearMesh {
     bottom_ =
         body().modified || below != above ? cap_at(below, body().two_helices ? end : -end) : top_;
     if (!top_ || !bottom_)
-      return not_a_body(body().outline.teeth, "the flanks of a tooth space cross");
+      return not_a_body(body().outline.teeth, "the flanks of a tooth space cross each other");
     return std::nullopt;
   }
 

@@ -12,7 +12,7 @@
 // P deviates by at most d from its chord C. The screw surface T(u, ζ) of this chord is interpolated
 // linearly over a triangle with legs a and h. The error of this interpolation is at most (a²|T_uu|
 // + 2ah|T_uζ| + h²|T_ζζ|)/8 (Filip, Magedson and Markot, 1986), where T_uu = 0, |T_uζ| = |τ| and
-// T_ζζ| ≤ ρτ². (M1) is the sum of both and holds for both diagonals of a grid cell.
+// |T_ζζ| ≤ ρτ². (M1) is the sum of d and this error, and holds for both diagonals of a grid cell.
 //
 // Only one half tooth is meshed or, if the flanks are modified, both halves of one tooth. All other
 // teeth are made by mirroring and by turning with sincos_turn, so every tooth is an exact copy of

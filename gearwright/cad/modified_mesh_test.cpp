@@ -289,7 +289,7 @@ TEST(ModifiedMesh, teeth_that_cannot_be_modified_say_why) {
     return testing::plain_spec({.teeth = 12, .module = 2.5, .x = x, .face_width = 10.0});
   };
   EXPECT_EQ(reason(shifted(0.9), 0.001), "the teeth are pointed");
-  EXPECT_EQ(reason(shifted(0.8), 0.1), "the modified flanks of a tooth would cross");
+  EXPECT_EQ(reason(shifted(0.8), 0.1), "the modified flanks of a tooth would cross each other");
   EXPECT_EQ(reason(shifted(0.8), 0.001), "");
   // The tip rounding is shorter than the displacement that it would have to follow.
   CylindricalSpec rounded = testing::plain_spec({.teeth = 25, .module = 2.5, .face_width = 10.0});

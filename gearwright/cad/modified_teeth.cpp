@@ -256,7 +256,7 @@ Result<ModifiedTeeth> ModifiedTeeth::of(
           const Vec2 back = turned(after, -side.twist() * row.z);
           const bool middle = arc + 1 == divided.arcs.size() && k == kExaminedPoints;
           if (!middle && !(back.y() > 0.0))
-            return obstacle("the modified flanks of a tooth would cross");
+            return obstacle("the modified flanks of a tooth would cross each other");
           before = after;
         }
       }

@@ -196,9 +196,10 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
     return not_a_body(body.outline.teeth, "the root lies beyond the axis");
   }
   const Extent extent = look_at(body.outline, space);
-  if (extent.tooth_crossed) return not_a_body(body.outline.teeth, "the flanks of a tooth cross");
+  if (extent.tooth_crossed)
+    return not_a_body(body.outline.teeth, "the flanks of a tooth cross each other");
   if (extent.space_crossed)
-    return not_a_body(body.outline.teeth, "the flanks of a tooth space cross");
+    return not_a_body(body.outline.teeth, "the flanks of a tooth space cross each other");
   std::optional<WallLoop> bore;
   if (body.bore || body.ring()) {
     auto made = make_bore(body, extent.inner, extent.outer);

@@ -121,7 +121,7 @@ void add_compensation(Quantities<CompensateView>& q) {
          "(for `pressure`, by 0.1 MPa)",
          &CompensateView::nothing_to_correct)
       .doors(kJson);
-  q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
+  q.number("centering_arcsec", "penalty for a contact pattern at the end of the face", "w",
            "value of the key `centering_arcsec`, or its default [T8.24]",
            &CompensateView::centering)
       .doors(kJson);

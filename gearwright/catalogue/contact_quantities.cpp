@@ -385,7 +385,8 @@ void add_contact_results(Quantities<ContactView>& q) {
       .when([](const ContactView& v) { return v.pattern.has_value(); })
       .doors(kJson);
   q.record<map_quantities>("map",
-                           "peak-to-peak transmission error over the two errors of [contact.map]")
+                           "peak-to-peak transmission error for each combination of values of the "
+                           "two errors of [contact.map]")
       .when([](const ContactView& v) { return v.map.has_value(); })
       .doors(kJson);
 }

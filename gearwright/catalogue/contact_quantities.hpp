@@ -34,7 +34,8 @@ struct ContactView {
   std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
   std::optional<ErrorMap> map{};
   std::array<std::string, 2> map_axes{};                ///< names of the errors x and y of the map
-  std::optional<std::array<FlankRaster, 2>> pattern{};  ///< none if [contact] does not request it
+  std::optional<std::array<FlankRaster, 2>> pattern{};  ///< pattern on both gears; none if
+                                                        ///< [contact] does not request a pattern
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2 at each position;
                                       ///< empty without double-helical gears

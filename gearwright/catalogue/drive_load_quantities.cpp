@@ -55,7 +55,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
              "least value within a period; 0 if the planet loses contact", [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least[i]; });
              });
-    q.number("shares", "shares of the planets", "",
+    q.number("shares", "load shares of the planets", "",
              "share of each planet at each position of the period. If the meshes have several "
              "frequencies, the positions are those of the first frequency, and the shares are "
              "averaged over the positions of the other frequencies",
@@ -146,7 +146,7 @@ const Quantities<Drive>& drive_load_quantities() {
     q.number("rated_mesh_load_factor", "mesh load factor of the rating", "K_γ",
              "factor that the rating uses, from `rating.mesh_load_factor`; null without a rating",
              rated_mesh_load_factor);
-    q.record<planet_share_quantities>("sets", "shares of the planets of each set",
+    q.record<planet_share_quantities>("sets", "one entry for each set: load shares of its planets",
                                       [](const Drive& d) {
                                         std::vector<PlanetSharesView> list;
                                         for (const PlanetShares& s : d.loaded->sets)

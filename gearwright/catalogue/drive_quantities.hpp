@@ -72,8 +72,8 @@ struct DriveSearchView {
   const DriveSearchProblem* problem;
   const DriveSearchResult* result;
   const DriveDesigns* designs;
-  std::optional<double> default_face_load{};  ///< the default K_Hβ; only if the search is rated and
-                                              ///< its spec gives no K_Hβ
+  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and
+                                              ///< its spec gives no K_Hβ; otherwise none
 };
 const Quantities<DriveSearchView>& drive_search_quantities();
 

@@ -30,8 +30,8 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        "error of the centre distance; axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "angle of the deviation f_Σβ, by which axis 1 turns about the centre line; the shaft angle "
-       "increases by the same angle; > 0 towards +y"},
+       "angle of the deviation f_Σβ, by which axis 1 turns about the centre line; > 0 if the +z "
+       "end of axis 1 turns towards +y. The shaft angle increases by the same angle"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
        "angle of the deviation f_Σδ, by which axis 1 tilts in the plane of the axes; > 0 towards "
@@ -167,7 +167,7 @@ const KeyTable& contact_keys() {
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),
        Key::part("map", contact_map_keys, &ContactInput::map,
-                 "map of the peak-to-peak transmission error over two errors")},
+                 "map of the peak-to-peak transmission error as a function of two errors")},
       check_contact};
   return table;
 }
@@ -175,7 +175,8 @@ const KeyTable& contact_keys() {
 const KeyTable& contact_map_keys() {
   static const KeyTable table{
       "contact_map",
-      "Map of the peak-to-peak transmission error over two errors; [errors] gives the other errors",
+      "Map of the peak-to-peak transmission error as a function of two errors; [errors] gives the "
+      "other errors",
       {Key::word("x", error_words(), axis(0), kRequired, "a key of [errors], such as crossing_deg")
            .with_form("a key of `[errors]`"),
        Key::number("x_range", "", {}, range(0), kRequired,

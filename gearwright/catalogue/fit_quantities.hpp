@@ -13,7 +13,8 @@ namespace gearwright {
 
 struct BranchView {
   FitBranch branch;
-  Value spec;                                        ///< the whole spec of this branch
+  Value spec;                                        ///< the whole spec with the values of this
+                                                     ///< solution
   std::optional<double> transverse_contact_ratio{};  ///< only for a design with few teeth
   /// The reason why the verb `pair` rejects `spec`; none if `pair` accepts it. Teeth may be
   /// impossible even if their line of action is conjugate.

@@ -75,9 +75,8 @@ struct KeyList {
   std::string_view (*meant)(std::string_view word) = nullptr;
   std::string_view must{};  ///< requirement on the value, for the errors about this list; if empty,
                             ///< form_of() gives it
-  int first = 1;            ///< number of the first element in paths
-  bool numbers = false;     ///< for a key of a table or of numbers by name: true if a list of
-                            ///< numbers is also allowed
+  int first = 1;            ///< index of the first element in the path of an element
+  bool numbers = false;     ///< true if a key whose value is a table also allows a list of numbers
   /// Returns the numbers of the series with the name `word`, for example the modules of "ISO54-I".
   /// Returns an empty list if there is no such series.
   std::vector<double> (*series)(std::string_view word) = nullptr;

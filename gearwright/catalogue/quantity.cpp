@@ -69,8 +69,7 @@ Value angles_in(Unit unit, Angle angle) {
 namespace {
 
 // True if x is not zero, but `digits` decimals would show it as zero. An example is a small damage.
-// If
-// x| ≤ 1e-9, x is a rounding error, and the result is false.
+// If the magnitude of x is at most 1e-9, x is a rounding error, and the result is false.
 bool rounds_to_zero(double x, int digits) {
   return std::abs(x) > 1e-9 && std::abs(x) < 0.5 * std::pow(10.0, -digits);
 }

@@ -14,7 +14,7 @@ namespace gearwright {
 
 /// The interfaces that show a quantity.
 enum Doors : unsigned {
-  kJson = 1,     ///< JSON, and interfaces that read it
+  kJson = 1,     ///< JSON, and the interfaces that read JSON
   kListing = 2,  ///< the tables of the terminal
   kPage = 4,     ///< the tables of the report
   kPeople = kListing | kPage,
@@ -37,7 +37,8 @@ struct QuantityInfo {
   std::string symbol;  ///< "d_a", with indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence without full stop; it also states when the value exists
+  std::string meaning{};  ///< one sentence without full stop, which also states when the value
+                          ///< exists
   Type type = Type::number;
   std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty if the value is
                             ///< not a list
@@ -52,7 +53,7 @@ struct QuantityInfo {
   const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
   std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< true if greater values are better
-  bool only_inch = false;                  ///< true if only results in inch show it
+  bool only_inch = false;                  ///< true if only results in inch contain the quantity
   bool optional_key = false;               ///< true if the key is absent when the quantity does not
                                            ///< exist; if false, the value is then null
 };

@@ -31,7 +31,8 @@ struct RatingAnswer {
   std::optional<double> torque_holding;  ///< N m, greatest torque with the required safety factors
   std::optional<double> face_holding;    ///< mm, least common face width with the required safety
                                          ///< factors; none if K_Hβ is computed
-  std::optional<ToothContact> contact;   ///< none unless the spec requests it
+  std::optional<ToothContact> contact;   ///< computed tooth contact; none unless the spec requests
+                                         ///< this computation
   Safeties wanted{};                     ///< required safeties in the spec, or 1
 };
 

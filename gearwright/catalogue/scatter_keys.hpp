@@ -27,8 +27,8 @@ struct ScatterGear {
   std::array<std::optional<DistributionSpec>, 7> modifications;
   bool pitch = false;                               ///< true if the pitches vary within the
                                                     ///< tolerances of the accuracy grade
-  std::optional<std::array<int, 2>> profile_waves;  ///< range of the number of waves, for f_fα
-  std::optional<std::array<int, 2>> helix_waves;    ///< range of the number of waves, for f_fβ
+  std::optional<std::array<int, 2>> profile_waves;  ///< range of the wave count, for f_fα
+  std::optional<std::array<int, 2>> helix_waves;    ///< range of the wave count, for f_fβ
 };
 
 struct ScatterRobust {

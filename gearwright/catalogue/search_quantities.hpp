@@ -16,7 +16,7 @@ namespace gearwright {
 struct DesignView {
   const SearchProblem* problem;
   const DesignRow* row;
-  std::function<Value()> edges{};  ///< edges of the region; none if they are omitted
+  std::function<Value()> edges{};  ///< edges of the region; empty if the result omits the edges
 };
 
 const Quantities<DesignView>& design_quantities();
@@ -28,8 +28,8 @@ struct SearchView {
   SearchAnswer answer;
   std::vector<NearestChange> changes;       ///< changes that give a design, if nothing is feasible
   std::optional<DesignRow> safest;          ///< the safest rated design if nothing is feasible
-  std::optional<double> default_face_load;  ///< the default K_Hβ; only if the search is rated and
-                                            ///< its spec gives no K_Hβ
+  std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
+                                            ///< spec gives no K_Hβ; otherwise none
 };
 const Quantities<SearchView>& search_quantities();
 

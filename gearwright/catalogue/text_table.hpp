@@ -18,14 +18,15 @@ struct TextTable {
     std::string words, unit;
     std::vector<std::string> cells;        ///< one for each column
     std::vector<std::string> errors = {};  ///< standard errors of the cells, for the terminal;
-                                           ///< empty if they are not known
+                                           ///< empty if no errors are known
   };
   std::string title;
   std::vector<std::string> columns;
   std::vector<Row> rows = {};
   std::vector<std::string> notes = {};  ///< sentences below the table
   std::vector<std::string> units = {};  ///< units of the columns; empty if the rows have units
-  bool omit_zeros = false;              ///< true if the terminal lists rows of zeros in one line
+  bool omit_zeros = false;              ///< true if the terminal names all rows of zeros in a
+                                        ///< single line
 };
 
 constexpr std::string_view kAbsent = "-";  ///< the cell of a value that a record does not have

@@ -58,8 +58,8 @@ struct CompensationTask {
   int positions = 24;       ///< per pitch, during the search
   int fine_positions = 64;  ///< per pitch, for the reported scores
   int curves = 6000;        ///< approximate limit of the TE curves computed in each search
-  /// w, the cost of a pattern at the end of the face. If it is absent, default_centering() is used,
-  /// and corrections must not increase the transmission error.
+  /// w, the penalty for a contact pattern at the end of the face. If w is absent,
+  /// default_centering() is used, and corrections must not increase the transmission error.
   std::optional<Angle> centering{};
   /// False if q is ignored. This is useful if the contact point moves along the whole face anyway.
   bool along_face = true;
@@ -127,7 +127,7 @@ Angle default_centering(Angle peak_to_peak);
 /// within the bounds of this correction, and is the double nearest to its decimal number. A result
 /// of 0 has no sign.
 ///
-/// Domain    as many values as corrections, parts > 0 (contract)
+/// Domain    one value for each correction, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,
                                std::vector<double> values, double parts);
 

@@ -34,7 +34,7 @@ struct ContactResult {
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
   std::vector<Angle> harmonics;  ///< harmonics of TE; empty if the request has rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
-  long unfinished = 0;           ///< searches that did not converge; normally 0
+  long unfinished = 0;           ///< number of searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack
   TouchCount work;
 };

@@ -9,7 +9,6 @@
 //               gear 2 drives                   half a turn about x, (y, z) → (−y, −z), and both
 //                                               rotations change sign
 //                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
-// Tooth pair k moves as pair 0 does, but k pitches of gear 1 later.
 //
 // Tooth pair k repeats the motion of pair 0, k pitches of gear 1 later.
 #pragma once

@@ -53,7 +53,7 @@ struct ContactEllipse {
 /// A touch on a ridge of a flank. The gap opens with a slope towards both sides of the ridge.
 struct ContactRidge {
   int gear;      ///< 1 or 2, the gear whose flank has the ridge
-  double along;  ///< curvature of the gap along the ridge, 1/mm; the same on both sides
+  double along;  ///< curvature of the gap along the ridge, 1/mm, which is equal on both sides
   struct Side {
     double slope;                     ///< ≥ 0, slope of the gap away from the ridge
     std::array<double, 2> curvature;  ///< principal curvatures of the gap on this side, 1/mm

@@ -33,7 +33,7 @@ struct ContactScore {
   bool lost = false;           ///< true if contact is lost at some position
   /// Peak to peak of the continuous curve; none if contact is lost or if it was not computed.
   std::optional<Angle> span{};
-  double pattern_middle = 0.0;  ///< q; 0 if it was not computed
+  double pattern_middle = 0.0;  ///< q; 0 if q was not computed
 
   bool nothing_touches() const;
   Angle span_or_sampled() const { return span && !lost ? *span : peak_to_peak; }

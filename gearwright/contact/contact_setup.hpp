@@ -25,7 +25,7 @@ constexpr bool is_slope(Modification m) {
 
 /// Corrections that a workshop makes. Each amount is added to the amount on the drawing.
 struct SetupChange {
-  double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
+  double tool_setting = 0.0;           ///< Δb_F  mm, change for the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
   /// Amounts of each gear. Slopes are added to the working flanks only, and all other amounts to
   /// both flanks. An amount of a relief requires that the drawing has this relief.
@@ -51,7 +51,8 @@ class ContactSetup {
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
   /// Returns the pair with root fillets and rounded tips in addition to the flanks. Returns none if
-  /// the cutter of a gear has a changed lead angle and no rack cut the root of this gear.
+  /// the errors change the lead angle of a cutter, and recut_outline() returns no outline for the
+  /// gear of this cutter.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }

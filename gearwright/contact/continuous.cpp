@@ -45,7 +45,8 @@ class Branches {
   // Returns the touch on the branch of `touch` at the rotation that is `steps` later. If this
   // branch has no contact there, found() of the result is false.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // Does the same, but starts the search at `start`, a touch of this branch nearer to the result.
+  // Works like the function above, but starts the search at `start`. This is a touch of the same
+  // branch, and it is nearer to the result than `touch`.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);

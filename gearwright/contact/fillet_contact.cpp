@@ -11,8 +11,8 @@ namespace {
 // flank.
 constexpr double kTouching = 1e-8;  // mm
 
-// The number of rotations is limited for two reasons. With fillets, a position takes several times
-// as long as without. The user may request up to 10⁶ positions.
+// The number of rotations is limited for two reasons. A position with fillets takes several times
+// as long as a position without fillets. The user may request up to 10⁶ positions.
 constexpr std::size_t kMaxRotations = 64;
 
 // Returns the arm about axis 2 of the normal at the touch, mm.

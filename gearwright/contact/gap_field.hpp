@@ -74,7 +74,7 @@ struct GapJet {
   Jet2 u;                     ///< ln ρ of the point on gear 2
   Jet2 Z;                     ///< mm, height of the point on gear 2
   double slope2_u, slope2_Z;  ///< slopes of flank 2: θ2′ + ∂m2/∂u and τ2 + ∂m2/∂Z
-  double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
+  double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of slope2_u and slope2_Z
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
   /// The derivative ∂w/∂(u + iψ), and its derivatives with respect to s and z. For a gear,

@@ -29,7 +29,7 @@ namespace gearwright {
 /// Domain    a gear with a gap, which may be 0 (contract)
 double middle_of_half(const Gear& half);
 
-/// Returns the rotation of half B minus the rotation of gear 1, which the stagger causes.
+/// Returns the difference that the stagger causes: rotation of half B minus rotation of gear 1.
 Angle behind(double stagger, const Gear& gear_1);
 /// Returns the rotations at which half B is analysed if the whole gear 1 is analysed at
 /// `rotations`. If `rotations` is empty, equal steps with `positions` per pitch are used. Without a
@@ -58,7 +58,7 @@ struct HalvesMesh {
 /// The pairs of both halves under the same errors. The pairs own their gears.
 struct HalvesPair {
   std::array<std::shared_ptr<const ContactPair>, 2> half;  ///< A, and the mirror image of B
-  HalvesMesh mesh;                                         ///< points to both pairs in `half`
+  HalvesMesh mesh;                                         ///< mesh of both pairs in `half`
 };
 
 /// Makes both halves of a double-helical pair under any errors.

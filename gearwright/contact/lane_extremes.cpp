@@ -16,8 +16,8 @@ namespace {
 constexpr double kFlatLane = 1e-12;
 // Steps: the search for a handover ends at this distance from the handover. T is then extrapolated.
 constexpr double kLastStep = 1e-6;
-// rad: at a handover between two tooth pairs, a third pair may have the greatest T if its T is less
-// than this angle below theirs.
+// rad: at a handover between two tooth pairs, a third pair may have the greatest T if its estimated
+// T is less than this angle below the T of the two pairs.
 constexpr double kClose = 1e-7;
 constexpr int kMostRounds = 30;  // two are usual
 constexpr int kNewton = 5;       // rounds with Newton steps; later rounds use within()

@@ -309,9 +309,9 @@ void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& wind
     if (track_[i].found()) offer(lo_ + static_cast<int>(i), track_[i]);
 }
 
-// Continues the track of a tooth pair in one direction. The track ends, as in Transmission, when
-// the transmission error of this tooth pair has decreased from one position to the next and is less
-// than the greatest one of all tooth pairs at the same position by more than kRough.
+// Continues the track of a tooth pair in one direction. The track ends, as in Transmission, when T
+// of this tooth pair has decreased from one position to the next and is more than kRough below the
+// greatest T of all tooth pairs at that position.
 void LaneTrack::extend(int direction) {
   const int most = transmission_->farthest_pair_ * n_;
   const int last = direction > 0 ? lo_ + static_cast<int>(track_.size()) - 1 : lo_;

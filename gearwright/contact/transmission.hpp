@@ -85,7 +85,7 @@ class Transmission {
   bool wavy() const { return !crests_.empty(); }
   int farthest_pair() const { return farthest_pair_; }  ///< greatest |k| of a pair that can touch
   TouchCount count() const;
-  long too_long() const { return too_long_; }  ///< searches that did not converge
+  long too_long() const { return too_long_; }  ///< number of searches that did not converge
 
  private:
   friend class detail::LaneTrack;

@@ -46,10 +46,10 @@ struct CandidateBatch {
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< curvature radius of the flank at the point touched by the mating tip,
-    ///< minus the radius ρ_F at the start of the involute; ∞ for an internal gear,
-    ///< which has no such limit
-    residual,  ///< residual of inv α_wt; residual/tan² α_wt is the error of tan α_wt
+    interference_2,  ///< curvature radius of the flank at the point that the mating tip touches,
+                     ///< minus the curvature radius ρ_F at the start of the involute; ∞ for an
+                     ///< internal gear, because this limit does not apply to it
+    residual,        ///< residual of inv α_wt; residual/tan² α_wt is the error of tan α_wt
     kOut
   };
   std::array<std::vector<double>, kIn> in;

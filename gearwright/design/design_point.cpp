@@ -66,7 +66,7 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// Whether points at which a tip cuts into a fillet are excluded. `asked` excludes them.
+// `asked` excludes points at which a tip cuts into a fillet. `left_out` permits these points.
 enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();

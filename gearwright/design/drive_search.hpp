@@ -48,7 +48,7 @@ enum class DriveObjective {
 inline constexpr std::array<std::string_view, 8> kDriveObjectiveNames{
     "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets", "noise", "mass"};
 
-using TeethBand = std::array<int, 2>;  ///< both ends included
+using TeethBand = std::array<int, 2>;  ///< least and greatest number of teeth; both are allowed
 
 struct DriveSearchProblem {
   DriveKind kind = DriveKind::planetary;

@@ -1,7 +1,7 @@
 // Laws: (1) a search finds the same sets as a separate computation that makes the drives of all
 // numbers of teeth; (2) it finds the sets with a ratio near 100 that another method counted; (3)
 // the ratio of a train is the ratio of its drive; (4) the noise of sets is the spread that a count
-// of their tooth pairs in contact gives, and they are sorted by it.
+// of their tooth pairs in contact gives, and a list by noise is sorted.
 #include "gearwright/design/drive_search.hpp"
 
 #include <gtest/gtest.h>

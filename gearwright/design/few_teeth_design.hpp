@@ -29,8 +29,8 @@ struct FewTeethProblem {
   std::array<int, 2> teeth{};  ///< numbers of teeth of pinion and wheel; < 0 for an internal gear
   double normal_module = 0.0;
   Angle normal_pressure_angle{};
-  std::optional<Angle> helix;             ///< β of the pinion; if absent, it follows from the
-                                          ///< centre distance
+  std::optional<Angle> helix;  ///< β of the pinion; if absent, β follows from the centre
+                               ///< distance
   std::optional<double> center_distance;  ///< a; free if absent
   std::optional<double> pinion_shift;     ///< x1; computed if absent
   StraightRack rack;                      ///< rack of the pinion; a circular root fillet replaces

@@ -49,7 +49,7 @@ struct FitBranch {
 
 struct Fit {
   std::vector<FitBranch> branches;  ///< by ascending |β_1|, or by ascending α_wn for known gears
-  std::string reason;               ///< why there is no solution; empty if there is one
+  std::string reason;               ///< reason why no solution exists; empty if a solution exists
   std::optional<double> nearest_distance;    ///< nearest possible a at the given Σ, mm
   std::optional<Angle> nearest_shaft_angle;  ///< nearest possible Σ at the given a
 };

@@ -112,8 +112,8 @@ struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm, for a gear body with rim and web
   std::optional<double> power_kW;       ///< P, if given instead of the torque
-  std::shared_ptr<RingCuts> ring_cuts;  ///< created by the search; if absent, cuts are not stored,
-                                        ///< and every internal gear is cut and mounted
+  std::shared_ptr<RingCuts> ring_cuts;  ///< store for the cuts of internal gears, created by the
+                                        ///< search; if absent, each cut is computed when needed
 };
 
 /// Drawing tolerances, which are the same for all designs.
@@ -133,7 +133,7 @@ struct SearchProblem;
 /// The verdict on the drawing of a design.
 struct DrawnDesign {
   bool runs = false;                                ///< true if no finding is worse than green
-  std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both tolerance ends
+  std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both ends of the tolerances
   /// The pair at every combination of tolerance ends. The list is filled only if a wider face may
   /// help. This is the case if the design does not run, and insufficient safety factors are the
   /// only reason.
@@ -165,8 +165,8 @@ struct HelixChoice {
 
 struct SearchProblem {
   std::array<double, 2> ratio{};  ///< z2/z1, both ends included; both negative for internal pairs
-  std::optional<std::array<double, 2>> center_distance;  ///< mm, both ends included; they may be
-                                                         ///< equal
+  std::optional<std::array<double, 2>> center_distance;  ///< least and greatest a  mm; both ends
+                                                         ///< are included and may be equal
   std::vector<double> modules;                           ///< m_n  mm
   std::array<int, 2> pinion_teeth{12, 40};               ///< z1, both ends included
   std::vector<Angle> helix{Angle()};                     ///< β of gear 1

@@ -81,7 +81,7 @@ struct ShiftBounds {
   static constexpr bool kNamed = true;
   double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
   double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
-  ShiftSlice slice() const;  ///< the slice between the tightest of these bounds
+  ShiftSlice slice() const;  ///< the slice between the tightest bounds
 };
 
 /// Values that depend on Σ alone.

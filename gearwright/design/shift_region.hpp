@@ -62,8 +62,8 @@ inline constexpr double kWallDistance = 0.05;
 /// once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 /// True if the line of balanced strength is certainly infeasible between the sums a and b. The
-/// reason is that it violates a limit of x1 or x2 alone. No point of this part of the line must
-/// then be evaluated.
+/// reason is that the line violates a limit of x1 or x2 alone. No point of this part of the line
+/// then needs to be evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
 /// Returns the boundary of each piece of the region, counter-clockwise. If only one centre distance
 /// is possible, the boundary is a segment that is traversed in both directions.

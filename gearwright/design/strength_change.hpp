@@ -18,7 +18,7 @@ inline std::string shown(double v) { return fmt::format("{:.10g}", v); }
 /// A number of the problem that can be changed from its present value `value` towards `far`.
 struct Knob {
   enum class Kind { limit, ratio, teeth };
-  std::string field;  ///< the same as NearestChange::field
+  std::string field;  ///< as NearestChange::field
   double value, far;
   double scale;  ///< change that counts as one unit of effort
   Kind kind;

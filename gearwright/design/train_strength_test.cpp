@@ -71,8 +71,8 @@ TEST(TrainStrengthTest, KeepsTrainsWithTheRequiredSafeties) {
                                        std::min(train.stages[0].root, train.stages[1].root)}));
 }
 
-// Without scatter, the least face width for the safeties of a stage is its own width, whichever of
-// them is required.
+// Without scatter, the least face width for the safeties of a stage is the width of this stage,
+// whichever of the safeties is required.
 TEST(TrainStrengthTest, TheLeastWidthHasTheRequiredSafeties) {
   std::mt19937 random(5);
   const TrainStrength strength(law_trains(random, 0.0));

@@ -32,8 +32,9 @@ struct Assembly {
 ///           N* = gcd |y·b| over the rows y of a saturated integer basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
-/// Computes the places of the copies. If the body has given positions, these are the places.
-/// Otherwise, the places follow from the spacing: n_i = floor(i N*/N + 1/2), [T13.13].
+/// Computes the places of the copies. If the spec gives positions for the planets of the group, the
+/// copies are at these positions. Otherwise, they are spaced at the places
+/// n_i = floor(i N*/N + 1/2), [T13.13].
 ///
 /// Errors    `drive.spacing` if the planets cannot be assembled; the message proposes similar tooth
 ///           numbers. `drive.positions` if the teeth do not mesh at a given position; the message

@@ -31,14 +31,14 @@ struct PlanetSet {
   std::optional<double>
       sun_ring_phase;  ///< γ_rs; none without geometry, or if no planet gear meshes with a sun and
                        ///< also with a ring
-  Phasing phasing;     ///< of the meshes with the sun, or with the ring if there is no sun
+  Phasing phasing;     ///< phasing of the meshes with the sun or, without a sun, with the ring
 };
 
 /// The transmission error at the output, if the input turns uniformly.
 struct DriveError {
   struct Line {
     double frequency_ratio;  ///< cycles per turn of the input
-    double amplitude;        ///< rad; for a rack, its travel, where 2π is one pitch
+    double amplitude;        ///< amplitude, rad; for a rack, 2π is a travel of one pitch
   };
   /// Peak-to-peak value, rad. If the meshes have several frequencies, the values of all frequencies
   /// are added. The error reaches this sum at times at which all peaks coincide. Meshes of the same
@@ -96,7 +96,7 @@ struct DriveBacklash {
 /// Rating of a mesh as a pair of gears, computed by drive/drive_rating.hpp.
 struct MeshRating {
   RatedPair pair;
-  RatingInput input;  ///< for one engagement per turn, and for bending in one direction
+  RatingInput input;  ///< inputs for one engagement per turn and for bending in one direction
   Rating rating;      ///< for the actual engagements and directions of bending of each gear
   std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
@@ -119,7 +119,7 @@ struct Drive {
   DriveGraph graph;
   DriveMotion motion;
   DriveGeometry geometry;
-  std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< one for each mesh
+  std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< one efficiency for each mesh
   /// The power flow. None if an efficiency is unknown, if meshes are redundant, or if several
   /// inputs have no given speeds.
   std::optional<PowerFlow> flow;
@@ -129,7 +129,8 @@ struct Drive {
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes,
                                           ///< or a loaded mesh without geometry
   std::optional<DriveError> error;        ///< none without `backlash`, or if a mesh loses contact
-  std::vector<std::optional<MeshRating>> ratings;  ///< one per mesh; empty if not rated
+  std::vector<std::optional<MeshRating>> ratings;  ///< one rating for each mesh; empty if the drive
+                                                   ///< is not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
   /// Contact of each mesh under the errors of the spec. The list is empty if the spec has no
   /// errors. The contact is none for a mesh with unknown flanks or an unknown sense of rotation.

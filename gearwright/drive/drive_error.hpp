@@ -25,8 +25,8 @@ namespace gearwright {
 /// for a relief of 20 µm would be 5 % too large.
 inline constexpr int kErrorPositions = 256;
 
-/// A function that returns the errors of mounting of the mesh with a given index. If there are no
-/// errors, there is no function.
+/// A function that returns the errors of mounting of the mesh with a given index. It is empty if no
+/// mesh has errors of mounting.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
 /// Returns the transmission error with the harmonics 1 … `harmonics` of each mesh frequency. At

@@ -30,8 +30,8 @@ struct DriveGeometry {
   std::vector<std::optional<double>> distance;  ///< a of each mesh  mm
   std::vector<std::optional<double>> shift;     ///< x of each gear
   std::vector<std::optional<Gear>> gears;
-  std::vector<std::optional<Pair>> pairs;      ///< one for each mesh of two gears
-  std::vector<std::optional<RackPair>> racks;  ///< one for each mesh with a rack
+  std::vector<std::optional<Pair>> pairs;      ///< a pair for each mesh of two gears
+  std::vector<std::optional<RackPair>> racks;  ///< a pair for each mesh with a rack
   std::vector<GeometryFault> faults;
 
   /// Returns the pair of a mesh of two involute gears. Returns null for circular arcs, for a rack,
@@ -63,8 +63,8 @@ DriveGeometry drive_geometry(const DriveGraph& graph);
 /// Returns the graph with new thickness allowances for the gears of all meshes with a
 /// DriveMesh::backlash. With these allowances, every such mesh has its backlash. If a gear belongs
 /// to several such meshes, the mesh with the least thinning comes first, and its thinning is
-/// divided equally between its two gears. In each of the other meshes, the second gear gets the
-/// remaining thinning of the mesh.
+/// divided equally between its two gears. In each mesh after it, one gear already has a thinning.
+/// The mating gear, which has no thinning yet, gets the remaining thinning of the mesh.
 ///
 /// Formula   dt/dj_n = cos α_wn/cos α_n for t = −(E_sn,a + E_sn,b); [T9.13]
 /// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last

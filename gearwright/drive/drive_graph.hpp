@@ -27,8 +27,8 @@ namespace gearwright {
 enum class Spacing {
   nearest,        ///< equal pitch if this is possible; otherwise the nearest places
   equal,          ///< equal pitch; an error if the planets cannot be assembled at equal pitch
-  equal_clocked,  ///< equal pitch; the angle between the gears of each stepped planet fits its
-                  ///< place
+  equal_clocked,  ///< equal pitch; the angle between the gears of each stepped planet suits the
+                  ///< place of the planet
   opposite,       ///< pairs of opposite planets
 };
 
@@ -45,8 +45,8 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  std::optional<RackBar> rack{};        ///< set if the gear is a rack; the speed of its body is
-                                        ///< v/p_t
+  std::optional<RackBar> rack{};        ///< the rack, if the gear is a rack; the speed of the body
+                                        ///< is then v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank

@@ -22,10 +22,10 @@ namespace gearwright {
 
 struct PlacedGear {
   std::size_t gear;  ///< index in the graph
-  int copy;          ///< number of the copy of its body, from 0
-  Vec2 axis;         ///< mm; for a rack, the middle of its datum line
-  double angle;      ///< φ in the middle of its face  rad; for a rack, the direction to its pinion
-  double height;     ///< z of the middle of its face  mm
+  int copy;          ///< number of the copy of the body, from 0
+  Vec2 axis;         ///< position of the axis  mm; for a rack, the middle of the datum line
+  double angle;      ///< φ in the middle of the face  rad; for a rack, the direction to the pinion
+  double height;     ///< z of the middle of the face  mm
 };
 
 /// A plane perpendicular to the axes, and the gears that it cuts.
@@ -37,7 +37,7 @@ struct DriveSection {
 struct DriveLayout {
   DrivePlaces places;
   std::vector<PlacedGear> gears;       ///< all copies, in the order of gear and copy
-  std::vector<DriveSection> sections;  ///< one for each slot
+  std::vector<DriveSection> sections;  ///< one section for each slot
 
   /// Returns φ of a placed gear at a height.
   double angle_at(const Drive& drive, std::size_t placed, double height) const;

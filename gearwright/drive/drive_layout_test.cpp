@@ -245,8 +245,8 @@ TEST(DriveLayout, ATrainStandsInLine) {
   EXPECT_LT(worst_mesh(drive, turned(drive, layout, 0.3)), 1e-6);
 }
 
-// The last shaft of a coaxial train lies on the first one. With three stages, the centre distances
-// are the sides of the triangle of the axes, on the left side of the first of them.
+// The last shaft of a coaxial train lies on the axis of the first shaft. With three stages, the
+// centre distances are the sides of a triangle, which lies on the left of its first side.
 TEST(DriveLayout, ACoaxialTrainClosesByItself) {
   std::vector<StageSpec> two{layout_stage(19, 57), layout_stage(16, 60)};
   two.front().pair.direction = Angle::degrees(30);

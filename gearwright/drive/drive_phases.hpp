@@ -27,9 +27,9 @@ struct MeshPhase {
   bool turned = false;
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
-  double time = 0.0;             ///< delay after the first mesh of the same frequency, in periods
-  std::size_t first = 0;         ///< first mesh of the same frequency; an idle mesh has its own
-                                 ///< index here
+  double time = 0.0;             ///< delay after the first mesh with this frequency, in periods
+  std::size_t first = 0;         ///< index of the first mesh with this frequency; for an idle mesh,
+                                 ///< the index of this mesh
   double sense = 1.0;            ///< −1 if the delays of the planets are −γ_i
   std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
 
@@ -68,8 +68,8 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
 /// Returns the phases of all meshes. Returns none if a load exceeds the range of exact fractions.
-/// Also returns none if a mesh that moves the output has no involute teeth, has an idler without a
-/// possible place, or shares a rack with another such mesh.
+/// Also returns none if a mesh that moves the output has no involute teeth or has an idler without
+/// a possible place, or if two meshes that move the output share a rack.
 ///
 /// Formula   meshes that share a gear have one frequency, and their phase follows from the angle
 ///           between them on this gear [T13.17]
@@ -81,8 +81,8 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 /// the flanks cannot be computed, or if a measured gear is loaded on a flank without readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
-/// Does the same for the mesh of a pinion with a rack. Returns null if the flanks cannot be
-/// computed.
+/// Returns the contact pair of a pinion and a rack, with its modifications and errors of mounting.
+/// Returns null if the flanks cannot be computed.
 std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
                                                 const ContactErrors& errors,
                                                 const MeshPhase& phase);

@@ -24,7 +24,7 @@ struct SlotRange {
 };
 
 struct DrivePlaces {
-  std::vector<Vec2> axes;        ///< axis of each body, mm; for a planet, of its copy 0
+  std::vector<Vec2> axes;        ///< axis of each body, mm; for a planet, the axis of copy 0
   std::vector<double> turned;    ///< direction from the carrier's axis to copy 0 of a rider  rad
   std::vector<double> radii;     ///< r_a of each gear, r_f of a ring, h_a of a rack  mm
   std::vector<int> mesh_slot;    ///< slot of each mesh

@@ -25,7 +25,7 @@ struct DriveLoad {
   RatingInput common;           ///< all other inputs; K_γ applies only to meshes with N > 1
   std::vector<double> mesh_load_factors{};  ///< K_γ of each mesh; if empty, K_γ of `common` is used
   const char* factor_origin = nullptr;      ///< source of `mesh_load_factors`; null if the user
-                                            ///< gives them
+                                            ///< gives the factors
 };
 
 /// A function that returns the material of a gear, by its index in the graph.
@@ -59,8 +59,8 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
 /// Returns the least S_H or S_F of all meshes, or none if no mesh is rated.
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
 
-/// Returns the greatest specific sliding |ζ| at the ends of the paths of all meshes of two involute
-/// gears. It is infinite if a path ends at a base circle. Returns none without such meshes.
+/// Returns the greatest specific sliding |ζ| at the ends of the paths of contact of all involute
+/// meshes. It is infinite if a path ends at a base circle. Returns none without such meshes.
 std::optional<double> greatest_sliding(const DriveGeometry& geometry);
 
 }  // namespace gearwright

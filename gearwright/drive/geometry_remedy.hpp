@@ -28,9 +28,8 @@ std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph);
 std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh);
 
 /// The least and the greatest possible |z| of the central gear in a mesh with a planet. The search
-/// starts at the |z| that needs no profile shift. There is no result if the mesh has no planet, or
-/// if no
-/// z| is possible.
+/// starts at the number of teeth that needs no profile shift. There is no result if the mesh has no
+/// planet, or if no number of teeth is possible.
 ///
 /// Formula   |z_0| = 2 a cos β/m_n − z_p external, + z_p for a ring
 struct PossibleTeeth {
@@ -44,11 +43,11 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
 /// changed.
 void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 
-/// Replaces the faults that have an impossible backlash as their only cause. The new fault of such
-/// a mesh names three values: the backlash, the thickness allowances that it requires, and the
-/// greatest or least possible backlash if the other meshes keep their backlash. `given` is the
-/// graph without the allowances of with_backlash(), and `thinned` is the graph with these
-/// allowances. Returns false if no backlash causes a fault.
+/// Replaces each fault that is caused only by the impossible backlash of a mesh. The new fault of
+/// this mesh gives three values: the backlash, the thickness allowances that this backlash
+/// requires, and the greatest or least possible backlash if the other meshes keep their backlash.
+/// `given` is the graph without the allowances of with_backlash(), and `thinned` is the graph with
+/// these allowances. Returns false if no backlash causes a fault.
 ///
 /// Accuracy  the limit is possible, and a backlash 0.002 mm beyond the limit is impossible
 bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeometry& made);

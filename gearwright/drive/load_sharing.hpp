@@ -59,7 +59,8 @@ inline constexpr int kSharingSteps = 200;
 ///           resists (contract)
 SharingSolution share_load(const SharingProblem& problem);
 
-/// Returns the same solution, but starts the iteration from the given displacements.
+/// Solves the same problem as the function above, but starts the iteration from the displacements
+/// `start`.
 SharingSolution share_load(const SharingProblem& problem, Eigen::VectorXd start);
 
 }  // namespace gearwright::detail

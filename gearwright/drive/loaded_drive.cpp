@@ -27,10 +27,11 @@ using detail::PlanetState;
 using detail::set_of;
 
 /// Limit of the common multiple in positions_of(). If the number of planets of a set would raise
-/// the multiple above this limit, the set is ignored there.
+/// the multiple above this limit, the multiple does not include this number.
 constexpr int kMostCommon = 60;
-/// Limit of the number of equilibria of a set with several mesh frequencies. 64 positions of each
-/// of two frequencies are below the limit. 64 positions of each of three frequencies exceed it.
+/// Greatest number of equilibria that are computed for a set with several mesh frequencies. 64
+/// positions of each of two frequencies are below this limit. 64 positions of each of three
+/// frequencies exceed it.
 constexpr double kMostCombinations = 1e5;
 
 // Returns the number of positions over a period. It is a multiple of the numbers of planets. The

@@ -296,7 +296,8 @@ TEST(LoadedDriveTest, SpringsAgreeWithDirectSolutions) {
        {TestSet{.helix_deg = 20.0}, TestSet{.crowning = 0.008, .lead_crowning = 0.006}}) {
     const Drive drive = loaded_set(t);
     for (const std::size_t mesh : {0, 1}) {
-      if (mesh == 1 && t.helix_deg != 0.0) continue;  // its compliance tables take longest
+      // The compliance tables of this mesh take longest.
+      if (mesh == 1 && t.helix_deg != 0.0) continue;
       const auto setup = detail::mesh_contact(drive, mesh, {}, true);
       ASSERT_TRUE(setup);
       const LoadRequest request = request_of(drive, mesh);

@@ -37,7 +37,8 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
   LoadedTurn turn(pair, setup.gear(1), setup.gear(2), *compliance, request);
   parallel_for(rotations.size(), [&](std::size_t i) { turn.solve(i, i + 1); });
   const LoadedContact contact = turn.result();
-  // If results for forces above an equal share are missing, the spring ends with a tangent.
+  // A missing result at or below an equal share of the load is an error. A missing result above an
+  // equal share is allowed, because the curve F(δ) of the spring continues along its last tangent.
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (const LoadedPosition& p : contact.torques[k].positions) {
       if (levels[k] > 1.0 || !p.unfinished) continue;

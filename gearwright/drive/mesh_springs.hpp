@@ -23,7 +23,7 @@ namespace gearwright::detail {
 Error not_loaded(const std::string& rule, const std::string& mesh = "");
 
 struct MeshSprings {
-  std::vector<LoadSpring> springs;  ///< one for each position
+  std::vector<LoadSpring> springs;  ///< one spring for each position
   std::vector<double> leads;        ///< e_0  mm
 };
 

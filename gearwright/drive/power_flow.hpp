@@ -34,7 +34,7 @@ struct PowerFlow {
   std::vector<double> mesh_power;  ///< P_m, power of the driving gear in the frame of the mesh
   std::vector<double> torque;      ///< T_ext of each body, 0 if the body is free
   std::vector<PowerPath> paths;    ///< paths in the order of meshes; none for bodies at rest
-  double power_in = 0.0;           ///< sum of the powers T ω that flow in
+  double power_in = 0.0;           ///< sum of the powers T ω that flow into the drive
   double efficiency = 0.0;         ///< η [T13.9]; 0 if self-locking, and other members are empty
   bool circulating = false;        ///< true if a branch carries more power than flows in
 

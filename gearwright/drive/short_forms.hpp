@@ -57,7 +57,7 @@ struct PlanetarySpec {
   /// z of each gear, absent if there is no such gear. The sign of a ring's number is ignored.
   std::array<std::optional<int>, kSetMembers> teeth{};
   int planets = 1;
-  std::optional<double> normal_module;  ///< m_n  mm; if absent, there is no geometry
+  std::optional<double> normal_module;  ///< m_n  mm; if absent, no geometry is computed
   Angle normal_pressure_angle = Angle::degrees(20);
   PerMember profile_shift;  ///< x
   PerMember helix_deg;      ///< β; by default computed from β of the sun

@@ -26,7 +26,8 @@ struct WindupMesh {
   double overlap = 0.0;                 ///< ε_β
   double weight = 1.0;                  ///< w_m
   std::vector<double> delays{0.0};      ///< t_m + γ_i of each copy
-  std::size_t frequency = 0;            ///< equal for meshes of one frequency
+  std::size_t frequency = 0;            ///< number of the frequency; meshes with the same mesh
+                                        ///< frequency have the same number
 };
 
 /// Returns the peak-to-peak variation of Θ, divided by Σ w_m. This sum is the value of Θ if all λ
@@ -35,8 +36,7 @@ struct WindupMesh {
 ///
 /// Formula   [T13.32], [T13.33]
 /// Laws      (1) the variation of a single mesh is deflection_variation(); (2) a common factor of
-///               the
-///           weights or a common delay does not change the variation
+///           the weights or a common delay does not change the variation
 std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes);
 
 /// Returns the variation of Θ of a drive. Returns none if there are several inputs or redundant

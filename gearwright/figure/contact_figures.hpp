@@ -45,8 +45,9 @@ std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& fi
 /// The range of step i of a map, counted from the lowest step: "below 10 µm", "10 µm to 20 µm".
 /// Empty if the map has one step.
 std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
-/// Adds the values of a raster to a figure, as shaded steps between the levels and as the grid
-/// of the figure. If `above` is given, points with this value or a lower one are left out.
+/// Adds the values of a raster to a figure. The figure shows shaded steps between the levels, and
+/// the values themselves are stored in Figure::grid. If `above` is given, values at or below
+/// `above` are left out.
 void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& levels,
              std::string words, std::string unit, std::optional<double> above = {});
 
@@ -72,8 +73,9 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
 struct FlankLayers {
   const FlankRaster* pattern = nullptr;  ///< least gap during a mesh
   const FlankRaster* gap = nullptr;      ///< gap at one position
-  const ContactPoint* now = nullptr;     ///< contact at that position
-  bool way = true;  ///< true to draw the path of the contact point, with its ellipses or lines
+  const ContactPoint* now = nullptr;     ///< contact at the position of `gap`
+  bool way = true;  ///< true to draw the path of the contact point, with contact ellipses or
+                    ///< contact lines
 };
 /// Draws the flank of gear `which` (0, 1).
 ///

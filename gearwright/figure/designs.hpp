@@ -19,7 +19,7 @@ struct DesignAxis {
 struct DesignDot {
   Vec2 at;
   std::string style;       ///< "dot-front", "dot-design", "dot-middle"
-  std::string words = {};  ///< the design, shown at the pointer with its two values
+  std::string words = {};  ///< name of the design, shown at the pointer together with both values
 };
 
 /// The corners of the staircase through the points that no other point dominates. The staircase

@@ -124,8 +124,8 @@ Figure loaded_output_figure(const Drive& drive, std::size_t curve) {
       .id = "loaded-output" + suffix(curve),
       .title = "Transmission error of the output",
       .description =
-          "Transmission error of the output over one period of the meshes, under load and with "
-          "rigid teeth, relative to the mean.",
+          "Two curves of the transmission error of the output over one period of the meshes, one "
+          "for teeth under load and one for rigid teeth. Each curve is relative to its mean.",
       .caption = fmt::format(" over one period of the meshes with {:.4g} teeth per turn of the "
                              "input, each curve relative to its mean.",
                              c.frequency_ratio),

@@ -10,7 +10,7 @@
 namespace gearwright {
 
 /// The name of a body and its part in the drive ("in", "out" or "held"), followed by its speed and
-/// its torque. For a rack, they are its speed in m/s and its force. SVG markup, one text per line.
+/// its torque. For a rack, its speed in m/s and its force follow. SVG markup, one text per line.
 std::vector<std::string> end_words(const Drive& drive, std::size_t body);
 
 }  // namespace gearwright

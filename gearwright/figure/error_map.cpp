@@ -42,8 +42,9 @@ Figure error_map_figure(const ContactMap& both) {
   const auto& [across, up] = both.axes;
   Figure f{
       "error-map",
-      "Peak-to-peak transmission error over two errors",
-      fmt::format("Shades and contour lines of the peak-to-peak transmission error over {} and {}.",
+      "Peak-to-peak transmission error as a function of two errors",
+      fmt::format("Shades and contour lines of the peak-to-peak transmission error as a function "
+                  "of {} and {}.",
                   across.name, up.name),
       ", with all other errors as specified. Brighter shades show greater values.",
       {across.name, across.unit, map.x.front(), map.x.back()},

@@ -69,7 +69,7 @@ struct FigureMark {
   /// the name of a curve.
   std::string words = {};
   Anchor anchor = Anchor::start;
-  Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
+  Vec2 offset = Vec2::Zero();  ///< px, from the point to its text
   double radius = 3.0;         ///< px, of a dot
   int frame = -1;              ///< position of the slider at which the mark is shown; −1 for all
   /// The name of a line, dot, circle or cross as SVG markup. The name of a line or a circle is
@@ -166,7 +166,8 @@ struct Figure {
   std::optional<FigureShades> shades = {};
   std::optional<FigureGrid> grid = {};
   std::optional<FigureSlide> slide = {};
-  std::vector<FigureLeader> leaders = {};  ///< if there are any, marks are clipped to the plot
+  std::vector<FigureLeader> leaders = {};  ///< names beside the plot; if the figure has leaders,
+                                           ///< marks are clipped to the plot
   std::vector<FigureGroup> groups = {};
   std::string definitions = {};  ///< SVG definitions of shapes; empty if the page contains them
 

@@ -76,8 +76,8 @@ std::string words_of(const FigureAxis& axis) {
 
 struct Layout {
   double left, right, top, bottom;  // px, of the plot
-  double foot, height;              // px: line of the numbers of the x axis, and total height
-  double note = 20.0;               // px, the line of the note
+  double foot, height;              // px: y of the x axis below the lanes; height of the figure
+  double note = 20.0;               // px, height of the line of the note
   // px, height of the line of words above each lane; 0 if the words are left of the lane
   double lane_words = 0.0;
   std::vector<AxisName> across, up;

@@ -16,8 +16,8 @@
 namespace gearwright {
 
 constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 units
-constexpr double kOutlineTolerance = 1e-4;  ///< m_n; total deviation of chords and rounding is less
-                                            ///< than this
+constexpr double kOutlineTolerance = 1e-4;  ///< m_n; upper limit of the total deviation due to
+                                            ///< chords and rounding
 
 /// Returns points of an arc from root to tip, including both ends. The chords between the points
 /// deviate from the arc by at most `tolerance`.

@@ -234,8 +234,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "from the roots to the bore, or to the outside of an internal gear",
      "a thin rim", "", kGearUnnamed},
     {C::rating_plastic, "rating_plastic", kCaution,
-     "wear, deformation and static peaks of plastic teeth, which VDI 2736 also covers, are not "
-     "rated",
+     "VDI 2736 also covers wear, deformation and peak loads of plastic teeth, but the rating does "
+     "not",
      "wear and deformation that are not rated"},
     {C::not_read, "not_read", kNote,
      "a part of the spec has no effect in this version or with this verb", "", "Leave it out."},
@@ -246,8 +246,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "mating gears other than the cutter can collide with the projection; the message gives the "
      "tip diameter that removes the projection"},
     {C::fillets_not_asked, "fillets_not_asked", kNote,
-     "if the lead of the cutter is changed, contact of tips with circular root fillets, or with "
-     "roots cut by a pinion cutter, is not checked (verb `contact`)"},
+     "if the lead of the cutter is changed, the check for contact of tips with root fillets is not "
+     "available for circular fillets and for roots cut by a pinion cutter (verb `contact`)"},
     {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
      "ε_α is below 1 for the part of the path on the usable flanks, and the overlap compensates "
      "for this; the message gives the least face width"},
@@ -351,7 +351,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::rating_quality, "rating_quality", kCaution,
      "`quality` of [rating] differs from the accuracy grade of a gear on the drawing",
      "a rating with an accuracy grade that differs from the drawing",
-     "Leave out quality in [rating]; the rating then uses the grades of the gears."},
+     "Leave out `rating.quality`; the rating then uses the grades of the gears."},
     {C::tolerance_editions, "tolerance_editions", kNote,
      "the rating and the drawing use the tolerances of different editions of ISO 1328-1 (verb "
      "`run`)"},

@@ -86,7 +86,9 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const double middle = ball_touching_at(gear, flank.middle()).value_or((*low + *high) / 2);
   const std::array<double, 3> tried{*low, middle, *high};
   const auto inside = std::find_if(tried.begin(), tried.end(), fits);
-  if (inside == tried.end()) return "no ball that touches on the usable flank can be measured";
+  if (inside == tried.end())
+    return "a ball that touches on the usable flank cannot be measured, because it touches the "
+           "root or does not project beyond the tip";
   // The ball that touches at the end of the flank or, if it does not fit, the ball nearest in
   // size that fits.
   const auto nearest = [&](double outside) {

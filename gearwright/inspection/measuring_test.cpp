@@ -364,7 +364,7 @@ TEST(Span, that_no_anvils_reach_is_refused_with_those_that_they_do) {
 }
 
 // The chords of helical gears in the case file (inspection.json) are chords of the spur gear with
-// z/cos³ β teeth, for which the library has a function. The verb measure prints the exact minimum.
+// z/cos³ β teeth, for which the library has a function. `measure` prints the exact minimum.
 TEST(Chord, of_the_virtual_gear_is_that_of_the_case_file) {
   struct Case {
     int z;

@@ -1,7 +1,7 @@
 // Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) a
-// drive in the result of a search has the numbers that the verb drive computes for its spec; (3)
+// drive in the result of a search has the numbers that the verb `drive` computes for its spec; (3)
 // gears of stages and of the graph take the keys of a gear, and impossible values are rejected; (4)
-// the verb rate rates every mesh; (5) an error of the teeth of a rack is rejected.
+// the verb `rate` rates every mesh; (5) an error of the teeth of a rack is rejected.
 #include "gearwright/job/drive_answer.hpp"
 
 #include <fmt/format.h>
@@ -197,7 +197,7 @@ TEST(DriveAnswerTest, SearchesChooseProfileShifts) {
   }
 }
 
-// The specific sliding of a design is the greatest of its meshes in the verb drive.
+// The specific sliding of a design is the greatest of its meshes in the verb `drive`.
 TEST(DriveAnswerTest, SearchesLimitTheSpecificSliding) {
   const std::string search =
       "[search]\nkind = \"planetary\"\nratio = [4.4, 4.6]\nnormal_module_mm = 2\nobjective = "

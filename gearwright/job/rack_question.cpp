@@ -55,7 +55,7 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     return Error{"--as-rack", value, why, FailureKind::option};
   };
   if (!gear.involute())
-    return bad("", "only involute teeth can be described by a rack of another angle");
+    return bad("", "only involute teeth can be described by a rack of another pressure angle");
   const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
   const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   double alpha = question.normal_pressure_angle.value_or(Angle()).rad();
@@ -71,8 +71,9 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
     if (m > m_max) {
       return bad(format_number(m, m_max) + ",",
-                 fmt::format("at this base pitch the pressure angle would be {}°, but at most {}° "
-                             "is allowed; the module must be at most {}\u00a0mm",
+                 fmt::format("with this module and the base pitch of the gear, the pressure angle "
+                             "would be {}°, but at most {}° is allowed; the module must be at most "
+                             "{}\u00a0mm",
                              format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
                              format_number(m_max, m)));
     }
@@ -81,16 +82,16 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
       return bad(fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
                  fmt::format("the base pitch of this rack differs from the base pitch of the gear; "
-                             "for the angle {:.9g}° the module must be {:.9g}\u00a0mm, or for the "
-                             "module {:.9g}\u00a0mm the angle must be {:.9g}°",
+                             "for the pressure angle {:.9g}° the module must be {:.9g}\u00a0mm, or "
+                             "for the module {:.9g}\u00a0mm the pressure angle must be {:.9g}°",
                              deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
     }
   }
   if (!has_rack(base, alpha)) {
     const double limit = 90 - std::abs(deg(base.helix_angle));
     return bad("," + format_number(deg(alpha), limit),
-               fmt::format("no rack of this angle describes the gear; the angle must be less than "
-                           "{}°, which is 90° minus the base helix angle",
+               fmt::format("no rack of this pressure angle describes the gear; the pressure angle "
+                           "must be less than {}°, which is 90° minus the base helix angle",
                            format_number(limit, deg(alpha))));
   }
   return as_rack(base, alpha);

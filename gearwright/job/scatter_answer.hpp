@@ -60,11 +60,12 @@ std::optional<Error> other_driver(const JobSpec& spec);
 ///           group with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
-/// Returns the request for a density of patterns from the first samples of each replicate. `most`
-/// is the greatest number of samples of all replicates together. 0 selects the default.
+/// Returns the request for a density of contact patterns. The density is computed from the first
+/// samples of each replicate. `most` limits the number of samples of all replicates together. If
+/// `most` is 0, the default limit applies.
 DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
-/// Computes the density of density_request(). It serves figures whose answer does not contain the
-/// density.
+/// Computes the density that density_request() describes. Figures use this function if the answer
+/// does not contain the density.
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 

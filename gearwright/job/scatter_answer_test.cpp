@@ -1,5 +1,5 @@
-// The verb scatter: rejected inputs with their messages, and tolerances of 0, for which the result
-// equals that of the verb contact.
+// The verb `scatter`: rejected inputs with their messages, and tolerances of 0, for which the
+// result equals that of the verb `contact`.
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/testing/answered.hpp"
 
@@ -91,7 +91,7 @@ TEST(ScatterAnswer, UnderLoadASampleHasTheNumbersOfLoad) {
   EXPECT_EQ(loaded["edge_carries"]["count"], torque["edge_carries"].get<bool>() ? 1 : 0);
 }
 
-// Under a light load the teeth are nearly rigid, so the numbers equal those of the verb contact,
+// Under a light load the teeth are nearly rigid, so the numbers equal those of the verb `contact`,
 // which computes no forces.
 TEST(ScatterAnswer, UnderALightLoadTeethAreRigid) {
   const Json spec = loaded_spec(1e-4);

@@ -26,7 +26,8 @@ struct SearchProgress {
     trials,   ///< the search itself
     changes,  ///< the search for changes that would give a design, if nothing is feasible; `done`
               ///< counts the evaluated trials
-    regions   ///< the regions of the listed designs; `done` of `of` are complete
+    regions   ///< the regions of the listed designs; `done` counts the computed regions, and `of`
+              ///< counts all regions
   };
   Stage stage = Stage::trials;
   std::int64_t done = 0, of = 0;

@@ -56,9 +56,9 @@ std::optional<Error> two_gears_error(const JobSpec& spec);
 /// single-helical, and otherwise none.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
-/// Returns the verb that can compute missing numbers ("search", "identify" or "fit"). `error` is
-/// the error with which solve() has rejected the spec because of these numbers. The text is empty
-/// for any other error. `error` may contain names of members or keys of the file.
+/// Returns the verb that can compute missing numbers: "search", "identify" or "fit". `error` is
+/// the error with which solve() has rejected the spec because of these numbers. For any other
+/// error, the returned verb is empty. `error` may contain names of members or keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

@@ -209,16 +209,16 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// Returns a function that gives the clause of the standard and the branch for each quantity of a
-// rating.
+// Returns a function that returns the source of a quantity of a rating: the clause of the standard
+// and, if the clause distinguishes cases, the case that applies.
 auto sources_of(const RatingAnswer& answer, UnitSystem units) {
   return [&answer, units](const QuantityInfo& info) {
     return sentence_in(units, source_text(answer.rating, info.key));
   };
 }
 
-// Lists inputs, factors and safety factors with symbol, value, unit, clause of the standard and
-// branch.
+// Returns a table of the inputs, factors and safety factors. Each row contains the symbol, the
+// values, the unit and the source of a quantity.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
   return title_listing(job.spec, "\n") + quantity_listing(job.spec.units(), quantities.table(),

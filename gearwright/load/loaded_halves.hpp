@@ -18,8 +18,8 @@ namespace gearwright {
 LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch);
 
 /// The result for the whole gears under twice the torque of a half. Maxima are taken over both
-/// halves. Values along the face, the shares of the tooth pairs and stress fields are left empty,
-/// because they are contained in the results of the halves.
+/// halves. The result does not contain values along the face, shares of the tooth pairs or stress
+/// fields, because the results of the halves contain them.
 ///
 /// Formula   [T12.26]
 /// Domain    the same torques and rotations in both halves (contract)

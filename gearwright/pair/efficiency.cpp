@@ -17,9 +17,8 @@ struct Linear {
   Linear from(double s) const { return {at + s * slope, slope}; }
 };
 
-// Returns ∫ (u·w)/|u| ds from lo to hi. Here |u|² = A (s² + k²), with s measured from the minimum
-// of
-// u|.
+// Returns ∫ (u·w)/|u| ds from lo to hi. Here |u|² = A (s² + k²), and s is measured from the
+// point at which |u| is least.
 double projected(const Linear& u, const Linear& w, double A, double k, double lo, double hi) {
   const double p2 = u.slope.dot(w.slope);
   const double p1 = u.at.dot(w.slope) + u.slope.dot(w.at);

@@ -301,7 +301,7 @@ void collide_and_explain(Kind& p, double saddle) {
   // If a tip extends below a root circle, the outlines are not compared, and all findings remain.
   if (p.free_play) explain(p);
   // If the flanks overlap beside the line of action, the actual free play is less than the computed
-  // one, so it is left empty.
+  // value. The computed value is therefore removed.
   if (saddle > 0.0) p.free_play.reset();
 }
 

@@ -217,8 +217,8 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     r.S_F[i] = {r.sigma_FG[i].value / r.sigma_F[i].value, kRootStress, ""};
   }
   r.limits.push_back({WarningCode::rating_plastic,
-                      "Wear, deformation and static peaks of plastic teeth, which VDI 2736 also "
-                      "covers, are not rated."});
+                      "VDI 2736 also covers wear, deformation and peak loads of plastic teeth, but "
+                      "the rating does not."});
   return r;
 }
 

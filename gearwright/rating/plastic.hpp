@@ -7,7 +7,7 @@
 //   ED            relative duty
 //                                              theory: docs/theory/11-rating.md
 //
-// Wear, deformation of the teeth and static peaks are not covered.
+// Wear, deformation of the teeth and peak loads are not covered.
 #pragma once
 
 #include <array>

@@ -172,8 +172,8 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
 Figure teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
   const double m = pair.gears[0].spec.normal_module;
   Figure f = plane_of("arc-teeth", "Section of the teeth at the contact point",
-                      "Both gears cut by the plane normal to the tooth at the contact point, "
-                      "with the common normal.",
+                      "Section of both gears in the plane normal to the tooth at the contact "
+                      "point, with the common normal.",
                       m, 0.0);
   f.caption = fmt::format(
       ", in the plane normal to the tooth. The gears are mounted without errors, and the normal "

@@ -16,8 +16,8 @@ namespace gearwright {
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
-  std::optional<Angle> peak_to_peak;  ///< TE, continuous if contact is not lost; none if no teeth
-                                      ///< touch
+  std::optional<Angle> peak_to_peak;  ///< peak-to-peak TE. If contact is not lost, it is computed
+                                      ///< for the continuous curve. None if no teeth touch
   bool as_specified = false;          ///< true for all errors together, as in the other pictures
 };
 

@@ -37,7 +37,7 @@ std::vector<CrossedSample> crossed_samples(const CrossedPair& pair);
 /// An approximation for manual calculation: its name and the resulting α_wn.
 struct Approximation {
   const char* name;
-  const char* letter;  ///< its letter in pictures
+  const char* letter;  ///< letter of the approximation in pictures
   Angle normal_pressure_angle;
 };
 

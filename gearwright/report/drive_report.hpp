@@ -17,7 +17,7 @@ namespace gearwright {
 struct DriveReportInput {
   std::string title;  ///< if empty, a title is made from the tooth numbers
   const Drive* drive = nullptr;
-  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed; there is no scheme
+  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed; then no scheme
   const DriveLayout* layout = nullptr;  ///< null if the drive cannot be assembled
   std::string why_no_layout;            ///< if `layout` is null, the reason, as a sentence
   Verdict verdict;
@@ -41,9 +41,9 @@ std::string drive_report_html(const DriveReportInput& input);
 /// (rack_mesh.hpp).
 std::string shape_name(std::size_t gear);
 
-/// The name of the shape of the rack of a mesh. A rack with several meshes has another shape for
-/// each mesh after the first, because the length of a path unit depends on the pinion. If gear 2 is
-/// not a rack, the result is shape_name() of gear 2.
+/// The name of the shape that represents a rack in one mesh. A rack with several meshes has another
+/// shape for each mesh after the first, because the length of a path unit depends on the pinion. If
+/// gear 2 is not a rack, the result is shape_name() of gear 2.
 std::string rack_shape_name(const Drive& drive, std::size_t mesh);
 
 std::string drive_definitions(const Drive& drive);

@@ -142,7 +142,7 @@ TEST(DriveReport, ADrawnRackMeshesWithItsPinionAtAllTimes) {
   }
 }
 
-// The pinion stays within the middle half of the rack, so it never leaves it.
+// The pinion stays within the middle half of the rack, so the pinion never leaves the rack.
 TEST(DriveReport, ARackMovesByAtMostHalfItsLength) {
   for (const int rack_teeth : {1, 2, 30, 400}) {
     const Drive drive = pinion_and_rack(20, rack_teeth, 0.0, 0.0);

@@ -17,7 +17,7 @@ namespace gearwright {
 struct PathMark {
   const char* letter;
   double rho1;
-  const char* style = "";  ///< style of its dot
+  const char* style = "";  ///< style of the dot
 };
 
 /// The points A to E that lie between A and `last`, in alphabetical order. B = E − step is

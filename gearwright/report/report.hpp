@@ -38,11 +38,12 @@ struct ReportInput {
   /// these gears.
   std::array<std::optional<Halves>, 2> halves{};
   std::optional<Pair> pair;        ///< none if the gears are not mounted
-  const RackPair* rack = nullptr;  ///< null if there is none; else its pinion is the only gear
+  const RackPair* rack = nullptr;  ///< null without a rack; with a rack, its pinion is the only
+                                   ///< gear in `gears`
   /// Quantities of the pair at both ends of the tolerances, least backlash first; may be empty.
   std::vector<ValueRecord> pair_ends;
   std::vector<double> masses;         ///< kg, of the gears whose mass is known
-  std::vector<ValueRecord> measures;  ///< one for each gear; may be empty
+  std::vector<ValueRecord> measures;  ///< inspection dimensions of each gear; may be empty
   /// Values at the ends of the tolerances; may be empty.
   std::vector<std::vector<ValueRecord>> measure_ends;
   std::vector<KDiagram> k_diagrams;  ///< of flanks with modifications or a grade; may be empty

@@ -19,10 +19,10 @@ namespace gearwright {
 /// Number of designs with a dot, besides the front. More dots cannot be distinguished.
 inline constexpr std::size_t kMaxDots = 2000;
 
-/// A figure of the designs over the first two objectives. If there is only one objective, the other
-/// axis is the centre distance, or the ratio if the centre distance is given. The figure shows the
-/// first kMaxDots designs and the whole front. If the user points at a dot, its design is shown.
-/// Empty if there are no designs.
+/// A figure of the designs over the first two objectives. If there is only one objective, the
+/// second axis shows the centre distance, or the ratio if the centre distance is given. The figure
+/// shows the first kMaxDots designs and the whole front. If the user points at a dot, its design is
+/// shown. Empty if there are no designs.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
                           UnitSystem units = UnitSystem::mm);
 
@@ -35,7 +35,7 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
 std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row,
                                 UnitSystem units = UnitSystem::mm);
 
-/// A small figure of the same region. Its caption links to `row_link` ("#design-3").
+/// A small figure of the region of the design. The caption links to `row_link` ("#design-3").
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,
                                    std::string_view id, std::string_view row_link);
 

@@ -49,7 +49,7 @@ struct StudyReport {
   std::string percentile;  ///< "95 %"
   std::vector<TableColumn> columns;
   std::vector<TableRow> rows;                ///< best first
-  std::vector<RankingScene::Entry> ranking;  ///< one for each row
+  std::vector<RankingScene::Entry> ranking;  ///< one entry for each row
   std::vector<std::string> refused;  ///< designs that have no scatter results, with the reason
 };
 

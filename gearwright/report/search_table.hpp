@@ -20,7 +20,8 @@ struct TableColumn {
 };
 struct TableCell {
   std::string html;
-  std::optional<double> key;  ///< value by which the column is sorted; rows without it come last
+  std::optional<double> key;  ///< value by which the column is sorted; cells without a value come
+                              ///< last
 };
 struct TableRow {
   std::string attributes;  ///< HTML attributes of the row, with a space in front

@@ -93,8 +93,8 @@ void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const Name
 Figure section_of(const InvolutePair& pair) {
   Figure f = plane_figure(
       "section", "Section normal to the teeth",
-      fmt::format("Tip, pitch and base cylinders of both gears cut by the plane of the leading "
-                  "line of action ({}), with both pitch planes and both lines of action.",
+      fmt::format("Sections of the tip, pitch and base cylinders of both gears in the plane of the "
+                  "leading line of action ({}), with both pitch planes and both lines of action.",
                   pair.side() > 0.0 ? "gear 1 below, gear 2 above" : "both axes above"),
       window(pair));
   for (const std::size_t i : {0u, 1u}) {

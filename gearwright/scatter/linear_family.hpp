@@ -55,9 +55,9 @@ class LinearFamily {
   void add_position(class GapSearch& search, double phi);
   double greatest(const Row& row, const Member& member) const;
 
-  ContactSetup setup_;                       // with a field of removed material on both gears
+  ContactSetup setup_;                       // has a field of removed material on both gears
   std::array<bool, 2> left_{};               // true if the left flank of the gear touches
-  std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
+  std::vector<std::vector<Row>> positions_;  // over a pitch, including both ends
   // continuous_peak_to_peak() of the nominal pair minus its first-order estimate, rad
   double correction_ = 0.0;
 };

@@ -33,7 +33,7 @@ enum class ScatterQuantity {
   tip_clearance1,   ///< mm, from the tip of gear 1 to the root of gear 2
   tip_clearance2,   ///< mm, from the tip of gear 2 to the root of gear 1
   form_clearance1,  ///< mm, from the start of the usable flank of gear 1 to the nearest contact
-  form_clearance2,  ///< mm, the same for gear 2
+  form_clearance2,  ///< mm, from the start of the usable flank of gear 2
 };
 constexpr std::size_t kScatterQuantities = 14;
 

@@ -63,7 +63,7 @@ struct ScatterTask {
   bool loosening = false;
   std::optional<LoadedFamily> load{};
   std::optional<DensityRequest> density{};
-  int threads = 0;  ///< 0 means one per core
+  int threads = 0;  ///< number of threads; 0 means one thread per core
   Progress* progress = nullptr;
 };
 
@@ -149,7 +149,7 @@ struct Scatter {
   Probability edge_contact{}, jam{}, contact_lost{};
   std::optional<WorstMember> worst_peak_to_peak, worst_least_play;
   std::optional<Loosening> loosening;
-  std::vector<LoadedSpread> loaded;  ///< one for each torque of ScatterTask::load
+  std::vector<LoadedSpread> loaded;  ///< results for each torque of ScatterTask::load
   std::optional<PatternDensity> density;
 };
 

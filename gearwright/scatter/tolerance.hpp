@@ -60,7 +60,7 @@ struct VaryingPitch {
 };
 
 /// A wave of the full height f_f, which is a form deviation of both flanks. The coordinates x are
-/// the number of waves and the phase in degrees.   [T14.21]
+/// the wave count and the phase in degrees.   [T14.21]
 struct VaryingWave {
   int gear;
   bool along_face;           ///< true if over the face, false if over the usable profile
@@ -91,12 +91,13 @@ struct ScatterTolerance {
   }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
-  /// The coordinates of x, in the user's units. `u` has as many values, which lie in (0, 1).
+  /// The coordinates of x, in the user's units. `u` contains one value in (0, 1) for each
+  /// coordinate.
   std::array<double, 3> at(std::span<const double> u) const;
   /// Least and greatest value of this coordinate of x, in the user's unit.
   std::array<double, 2> side(int coordinate) const;
   /// True if this coordinate has a normal score, by which it can be correlated. A phase has no
-  /// score. A number of waves has a score only if it varies.
+  /// score. A wave count has a score if its least and greatest values differ.
   bool has_score(int coordinate) const;
 };
 
@@ -114,7 +115,7 @@ struct Deviation {
 
 /// The member at x, whose coordinates are in the order of the tolerances.
 ///
-/// Domain    as many coordinates as the tolerances have (contract)
+/// Domain    x has one value for each coordinate of the tolerances (contract)
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 

@@ -86,7 +86,7 @@ class Box {
     return x;
   }
 
-  // True if the points differ only in numbers of waves that are rounded to the same number.
+  // True if the points differ only in wave counts that are rounded to the same number.
   bool same_member(const std::vector<double>& x, const std::vector<double>& y) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -111,8 +111,8 @@ class Box {
     return true;
   }
 
-  // The point x with rounded numbers of waves. It describes the same member as x, because
-  // deviation_at() also rounds numbers of waves.
+  // The point x with rounded wave counts. It describes the same member as x, because deviation_at()
+  // also rounds wave counts.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {

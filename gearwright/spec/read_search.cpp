@@ -191,8 +191,9 @@ Blank read_blank(const Json* node, const std::string& path) {
       const std::string name(key.key);
       if (blank_keys().find(name) || !node->contains(name)) continue;
       TableReader(gear_keys(), *node, path)
-          .fail(name, fmt::format("cannot be combined with [search] for a gear without the key "
-                                  "teeth; the table [{}] of such a gear may contain only {}",
+          .fail(name, fmt::format("cannot be combined with [search], because this gear has no "
+                                  "number of teeth; without the key teeth, the table [{}] may "
+                                  "contain only {}",
                                   path, fmt::join(blank_keys().names(), ", ")));
     }
   }

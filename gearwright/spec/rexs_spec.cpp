@@ -120,8 +120,8 @@ class Reader {
       } else if (tool->type == "cutter_wheel_tool" && tool->number("number_of_teeth")) {
         if (of_drive) {
           note(
-              "The pinion cutter is not read, because the gears of a drive are cut by default "
-              "cutters.");
+              "The pinion cutter is not read, because a drive uses default cutters for all its "
+              "gears.");
         } else {
           table["cut_by"] = {{"teeth", std::lround(*tool->number("number_of_teeth"))}};
           if (!rack.empty()) table["cut_by"]["rack"] = rack;

@@ -66,8 +66,8 @@ struct Touch {
   int tooth = 0;                                     ///< n
   Where where = Where::flanks;
   double string_1 = 0.0, string_2 = 0.0;  ///< r_b u of the touching point on each flank, mm
-  double residual = 0.0;  ///< mm, greater of the distance of the two solved points and r_b1 |n_1 ×
-                          ///< n_2|
+  double residual = 0.0;  ///< mm, the greater of two values: the distance of the two solved
+                          ///< points, and r_b1 |n_1 × n_2|
   double margin = 0.0;    ///< mm, string length (or width) from the nearest end of a flank
 };
 

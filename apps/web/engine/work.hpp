@@ -1,5 +1,5 @@
 // Computations in steps, between which a worker can handle messages: the contact pattern, the map
-// of the transmission error over two errors, and teeth under load.
+// of the transmission error as a function of two errors, and teeth under load.
 #pragma once
 
 #include <array>

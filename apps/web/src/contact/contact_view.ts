@@ -57,7 +57,7 @@ export class ContactView implements Tab {
   private index = kPositions / 2;
   shown = "";
   private marked = ""; // the text of the spec whose pattern is shown on the flanks
-  private asked = ""; // the text of the spec for which the verb contact has run last, or is running
+  private asked = ""; // the spec text for which `contact` has run last, or is running
   private rest = 0;
 
   leave(): void {

@@ -29,7 +29,7 @@ export class ErrorMapView {
     h(
       "div",
       { class: "map-head" },
-      h("b", {}, "Peak-to-peak transmission error over two errors"),
+      h("b", {}, "Peak-to-peak transmission error as a function of two errors"),
       this.x,
       this.y,
       this.go,

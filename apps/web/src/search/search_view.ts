@@ -1,6 +1,6 @@
 // The tab "search" shows results for a spec with unknown numbers. For a spec with [search], the tab
 // evaluates all candidates. It shows a progress bar and a button that stops the search. If the
-// gears are incomplete, the verb fit computes all solutions. A click shows a design. The list
+// gears are incomplete, the verb `fit` computes all solutions. A click shows a design. The list
 // remains as long as the text on screen is the searched spec or the spec of a design from the list.
 
 import { inputKey, quantity } from "../catalogue";
