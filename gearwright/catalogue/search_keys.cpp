@@ -210,10 +210,11 @@ std::vector<Key> trial_keys() {
                     "centre distance; a single number is the exact centre distance")
           .with_list(kBand)
           .with_form(std::string("a distance in mm") + kBandForm),
-      Key::number("helix_angle_deg", "β", KeyRange::inside(-89, 89), {},
-                  "helix angle of `[gear1]`; if it is absent, half the shaft angle for crossed "
-                  "axes, and 0 for parallel axes",
-                  "helix angle of gear 1, or a closed band of helix angles")
+      Key::number(
+          "helix_angle_deg", "β", KeyRange::inside(-89, 89), {},
+          "helix angle of `[gear1]`; if it is absent, [5, 30] with `overlap_ratio`, half the "
+          "shaft angle for crossed axes, and otherwise 0",
+          "helix angle of gear 1, or a closed band of helix angles")
           .with_list(kBand)
           .with_form(std::string("an angle") + kBandForm)
           .with_fields({"helix"}),
@@ -230,11 +231,11 @@ std::vector<Key> trial_keys() {
                   "whole overlap ratio, or a list of whole overlap ratios. Each face width gets "
                   "the helix angle with this overlap ratio, rounded up to 0.01°, so that the "
                   "overlap ratio is at least the whole number and, from 5° on, exceeds it by at "
-                  "most 0.2 %. Angles outside of `helix_angle_deg` and angles below 1° are not "
+                  "most 0.2 %. Angles outside of `helix_angle_deg` (default: [5, 30]) and angles "
+                  "below 1° are not "
                   "tried. All widths of a band of face widths are tried")
           .with_list({.most = kMostOverlaps, .single = true})
           .with_form("a whole number, or a list of whole numbers")
-          .with_needs({"helix_angle_deg"})
           .with_excludes({"helix_step_deg", "face_width_diameters"},
                          "determines the helix angles itself, for face widths that do not depend "
                          "on the number of teeth; leave out helix_step_deg and "

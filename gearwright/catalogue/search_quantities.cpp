@@ -118,6 +118,13 @@ void add_search(Quantities<SearchView>& q) {
            "`[gear2.shaft]` can give the factor",
            [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
+  q.number("helix_angle_deg", "default band of the helix angles", "β",
+           "[least, greatest]; only with `overlap_ratio` and without `helix_angle_deg`",
+           [](const S& s) {
+             return s.problem->default_helix_deg ? Value(*s.problem->default_helix_deg) : Value();
+           })
+      .ends()
+      .when([](const S& s) { return s.problem->default_helix_deg.has_value(); });
   count("points_tested", "number of tested points on the grid of `shift_step`",
         &SearchCounts::points_tested)
       .when(grid);

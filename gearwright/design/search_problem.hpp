@@ -173,6 +173,8 @@ struct SearchProblem {
   /// The combinations to try. If empty, every module is tried with every helix angle. Otherwise,
   /// `helix` contains the helix angles of these combinations.
   std::vector<HelixChoice> choices;
+  /// The band of helix angles of the choices, in degrees, if it is the default of the caller.
+  std::optional<std::array<double, 2>> default_helix_deg;
   std::optional<Angle> shaft_angle;                  ///< Σ of crossed axes; β2 = Σ − β1
   Angle normal_pressure_angle = Angle::degrees(20);  ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};

@@ -20,6 +20,11 @@ namespace gearwright {
 /// hundredth of a degree changes the overlap ratio by more than 1 %.
 inline constexpr double kLeastOverlapHelix_deg = 1.0;
 
+/// The band of helix angles, degrees, for callers without a band. From 5° on, an
+/// overlap ratio exceeds its whole number by at most 0.2 %, and at 30° the axial force is 58 % of the
+/// tangential force.
+inline constexpr std::array kUsualOverlapHelix_deg{5.0, 30.0};
+
 /// Returns the least multiple of 0.01° at which the face width has at least this overlap ratio,
 /// degrees. Returns none if the face width is too small for this overlap ratio.
 ///

@@ -76,6 +76,16 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
+// Example: "β from 5° to 30° is a default. …"; empty if the spec determines the helix angles.
+std::string default_helix_line(const SearchProblem& problem) {
+  if (!problem.default_helix_deg) return {};
+  const auto& [least, greatest] = *problem.default_helix_deg;
+  return fmt::format(
+      "β from {:g}° to {:g}° is a default. Give helix_angle_deg = [least, greatest] in [search] "
+      "for another band.",
+      least, greatest);
+}
+
 std::string no_change_helps(const SearchRun& run, UnitSystem units) {
   std::vector<std::string> keys;
   for (const std::string& field : run.changes_tried) {
@@ -96,6 +106,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (problem.rating)
     lines.push_back(sentence_in(units, "Designs are " + rating_line(problem) + "."));
   if (run.default_face_load) lines.push_back(face_load_line(run));
+  if (problem.default_helix_deg) lines.push_back(default_helix_line(problem));
   if (problem.rating_unused) lines.emplace_back(kRatingUnused);
   if (problem.draw)
     lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));

@@ -95,15 +95,27 @@ double count_of_overlaps(const SearchProblem& p, std::size_t ratios) {
 
 // Reads the overlap ratios, which are whole numbers. The helix angles follow from the overlap
 // ratios.
-void read_overlaps(TableReader& t, SearchProblem& p) {
+// `of_gear` is true if [gear1] has a helix angle that the search does not replace.
+void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
   const char* const key = "overlap_ratio";
   const auto ratios = t.numbers(key);
   if (!ratios) return;
   require_parallel(t, p, key,
                    "is not available on crossed axes, where the teeth have no overlap ratio");
-  const auto band = t.numbers("helix_angle_deg");
-  if (!band || band->front() == band->back())
-    t.fail(key, "needs a band, helix_angle_deg = [least, greatest]");
+  if (of_gear)
+    t.fail(key,
+           "determines the helix angles itself; leave out helix_angle_deg of [gear1], or give a "
+           "band, helix_angle_deg = [least, greatest], in [search]");
+  const auto given = t.numbers("helix_angle_deg");
+  if (given && given->front() == given->back())
+    t.fail(key,
+           "determines the helix angles itself; leave out helix_angle_deg, or give a band, "
+           "helix_angle_deg = [least, greatest]");
+  std::array<double, 2> band = kUsualOverlapHelix_deg;
+  if (given)
+    band = {given->front(), given->back()};
+  else
+    p.default_helix_deg = band;
   if (p.face_diameters)
     t.fail("face_width_diameters",
            "cannot be combined with overlap_ratio, because the helix angles are the same for all "
@@ -123,18 +135,19 @@ void read_overlaps(TableReader& t, SearchProblem& p) {
                             "but at most {} are allowed; narrow the bands, or use a greater "
                             "face_width_step_mm",
                             count, kMaxAngles));
-  p.choices = whole_overlap_choices(p, sorted, {band->front(), band->back()});
+  p.choices = whole_overlap_choices(p, sorted, band);
   if (p.choices.empty()) {
     const auto any = whole_overlap_choices(p, sorted, {kLeastOverlapHelix_deg, 89.0});
     t.fail(key,
            any.empty()
                ? "has no helix angle between 1 and 89 degrees for any module and face width; the "
                  "face width must exceed overlap_ratio times the axial pitch at this angle"
-               : fmt::format("needs helix angles of {} to {} degrees for these modules and face "
-                             "widths, and none of them is in the band helix_angle_deg; change the "
-                             "band or the face width",
-                             format_number(any.front().helix.deg()),
-                             format_number(any.back().helix.deg())));
+               : fmt::format(
+                     "needs helix angles of {} to {} degrees for these modules and face "
+                     "widths, and none of them is in the band helix_angle_deg{}; change "
+                     "the band or the face width",
+                     format_number(any.front().helix.deg()), format_number(any.back().helix.deg()),
+                     given ? "" : fmt::format(" (default: [{:g}, {:g}])", band[0], band[1])));
   }
   p.helix.clear();
   for (const HelixChoice& choice : p.choices)
@@ -293,7 +306,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const auto single = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
   if (single(p.face_width) && single(p.face_modules))
     t.fail("face_width_modules", "contradicts face_width_mm; leave out one of the two");
-  read_overlaps(t, p);
+  read_overlaps(t, p, blanks[0].helix_deg && !t.has("helix_angle_deg"));
   // An internal pair has negative backlash at the extended centre distance, so its default
   // mounting is tight.
   if (!t.given("mounting")) p.mounting = p.ratio[1] < 0.0 ? Mounting::tight : Mounting::extended;

@@ -74,6 +74,16 @@ class WholeOverlaps(unittest.TestCase):
         for got, want in zip(found["designs"][0]["S_H"], rate.json["rating"]["S_H"]):
             self.assertAlmostEqual(got, want, delta=1e-12 * want)
 
+    def test_default_band(self):
+        text = spec(KEYS | NOMINAL, helix_angle_deg=None)
+        found = search(text)
+        self.assertEqual(found.pop("helix_angle_deg"), [5, 30])
+        self.assertEqual(found, search(spec(KEYS | NOMINAL, helix_angle_deg=[5, 30])))
+        self.assertTrue(found["designs"])
+        words = "β from 5° to 30° is a default. Give helix_angle_deg = [least, greatest] in [search] for another band."
+        self.assertIn(words, " ".join(Run("search", text, folder=folder()).out.split()))
+        self.assertNotIn("is a default", Run("search", spec(KEYS | NOMINAL), folder=folder()).out)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -110,7 +110,8 @@ class Refused(Asked):
         no("overlap_ratio", "2 twice", overlap_ratio=[2, 1, 2])
         no("overlap_ratio", "between 1 and 20", overlap_ratio=0)
         no("overlap_ratio", "helix_angle_deg = [least, greatest]", helix_angle_deg=12)
-        no("overlap_ratio", "helix_angle_deg = [least, greatest]", helix_angle_deg=None)
+        no("overlap_ratio", "leave out helix_angle_deg of [gear1]", helix_angle_deg=None,
+           after="[gear1]\nhelix_angle_deg = 12\n")
         no("overlap_ratio", "face_width_mm", face_width_mm=None)
         no("overlap_ratio", "leave out helix_step_deg", helix_step_deg=1)
         no("overlap_ratio", "crossed axes", shaft_angle_deg=90, helix_angle_deg=[40, 50], face_width_mm=20)
@@ -119,6 +120,8 @@ class Refused(Asked):
         # arcsin(3 π 2/30) = 38.93° and arcsin(3 π 2.5/24) = 79.03°; 20 mm are too narrow for 3 π 2.5 mm
         no("overlap_ratio", "38.93 to 79.04 degrees", overlap_ratio=3, modules_mm=[2, 2.5], face_width_mm=[24, 30],
            face_width_step_mm=6)
+        no("overlap_ratio", "38.93 to 79.04 degrees", "(default: [5, 30])", overlap_ratio=3, modules_mm=[2, 2.5],
+           face_width_mm=[24, 30], face_width_step_mm=6, helix_angle_deg=None)
         no("overlap_ratio", "no helix angle between 1 and 89", overlap_ratio=20)
 
     def test_the_same_thing_twice_is_not_counted_twice(self):
