@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
-import { example, it, native, put, settled, withPage } from "./stage.mjs";
+import { example, it, kPatience, native, put, settled, withPage } from "./stage.mjs";
 
 let page;
 withPage((stage) => ({ page } = stage));
@@ -78,6 +78,29 @@ describe("figures", () => {
       await page.waitForFunction(([of, value]) => Number(document.querySelector(of).textContent) === Number(value), [width, value]);
       await page.fill('[data-slide="errors.crossing_deg"]', "0.02");
     }
+  });
+
+  it("corrections are listed, and a click takes them", async () => {
+    const spec = example("misaligned_pair");
+    const expected = native("compensate", spec).compensate;
+    await put(page, spec, "contact");
+    await page.waitForSelector("#room-contact #te path.curve");
+    await page.click("#room-contact .corrections button");
+    await page.waitForSelector("#room-contact [data-correction]", { timeout: kPatience });
+    const keys = await page
+      .locator("#room-contact [data-correction]")
+      .evaluateAll((rows) => rows.map((row) => row.dataset.correction));
+    assert.deepEqual(keys, expected.corrections.map((one) => one.key));
+    await page.click('#room-contact button[aria-label="take the corrections"]');
+    const { right_lead_slope_um } = expected.spec.gear1.modifications;
+    assert.ok(Number.isFinite(right_lead_slope_um));
+    await page.waitForFunction(
+      (amount) => window.gearwright.text().includes(`right_lead_slope_um = ${amount}`),
+      right_lead_slope_um,
+    );
+    await settled(page);
+    assert.equal(await page.locator("#room-contact [data-correction]").count(), 0);
+    assert.deepEqual(page.complaints, []);
   });
 
   it("the pointer shows values, a press chooses a position, and values can be saved", async () => {

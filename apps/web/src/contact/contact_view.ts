@@ -10,6 +10,7 @@ import { quantityTable } from "../quantity_table";
 import { markRevision } from "../revision";
 import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
+import { Corrections } from "./corrections";
 import { ErrorMapView } from "./error_map_view";
 import { ContactSliders } from "./sliders";
 
@@ -28,6 +29,7 @@ export class ContactView implements Tab {
   );
   private readonly flanks = new Figures();
   private readonly errorMap = new ErrorMapView();
+  private readonly corrections = new Corrections();
   private readonly instant = slider(
     "position within the pitch",
     { min: 0, max: kPositions - 1, step: 1, value: kPositions / 2 },
@@ -49,7 +51,7 @@ export class ContactView implements Tab {
     "div",
     { class: "side-view narrow" },
     this.sliders.element,
-    scroller("side-room", "curves and flanks", this.picture, this.errorMap.element),
+    scroller("side-room", "curves and flanks", this.picture, this.corrections.element, this.errorMap.element),
   );
   readonly part = "contact";
   private curve: Timed | null = null;
@@ -77,6 +79,7 @@ export class ContactView implements Tab {
     if (!solved?.hasPair) {
       return this.clear(solved ? "Tooth contact needs a second gear." : bench.nothing);
     }
+    this.corrections.show(solved.text);
     if (solved.text === this.shown) return this.draw();
     const view = this.view(true);
     try {
@@ -107,7 +110,8 @@ export class ContactView implements Tab {
   /** Hides everything except the sentence if `yes` is true. Otherwise shows everything again. */
   private empty(yes: boolean): void {
     for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
-    this.errorMap.element.hidden = yes || hasRack(bench.good?.spec); // the map needs two gears
+    // The map and the corrections need two gears.
+    this.errorMap.element.hidden = this.corrections.element.hidden = yes || hasRack(bench.good?.spec);
   }
 
   private choose(index: number): void {
