@@ -103,14 +103,14 @@ TEST(Minimise, FindsKnownMinima) {  // (3)
 }
 
 // Numbers of trials and the points that NLopt 2.7.1 returns, with 17 digits.
-struct Known {
+struct KnownMinimum {
   Minimiser how;
   std::size_t n;
   int calls;
   Point found;
 };
 
-const Known kKnown[] = {
+const KnownMinimum kKnown[] = {
     {Minimiser::whole_box, 1, 700, {0.2999999999999996}},
     {Minimiser::whole_box, 2, 700, {0.94598765432098775, 0.89511888431641529}},
     {Minimiser::whole_box, 3, 700, {0.94854908635201296, 0.89996655320157792, 0.80966019746312412}},
@@ -130,7 +130,7 @@ const Known kKnown[] = {
 };
 
 TEST(Minimise, AgreesWithNLopt) {  // (5)
-  for (const Known& known : kKnown) {
+  for (const KnownMinimum& known : kKnown) {
     MinimiserTask task = task_of(known.n, -1.5, 2.25, 700);
     task.relative_gain = 1e-5;
     int calls = 0;

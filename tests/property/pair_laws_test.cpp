@@ -254,6 +254,10 @@ TEST(PairLaws, spur_is_the_limit_of_helical) {
 // A pinion with the rack of its profile.
 struct PinionOfRack {
   CylindricalSpec pinion;
+  // A friend, so that it hides no other describe() from tests that are compiled together.
+  friend std::string describe(const PinionOfRack& s) {
+    return "\n  a rack and " + property::describe(s.pinion);
+  }
 };
 
 // Mounts the gears at the distance `a`, or without backlash if `a` is absent.
@@ -292,10 +296,6 @@ CrossedSpecs mirrored(CrossedSpecs s) {
   return reverse_hand(s.first), reverse_hand(s.second), s;
 }
 PinionOfRack mirrored(PinionOfRack s) { return reverse_hand(s.pinion), s; }
-
-std::string describe(const PinionOfRack& s) {
-  return "\n  a rack and " + property::describe(s.pinion);
-}
 
 double side(const MountedGears& p) { return p.side(); }
 double side(const RackPair&) { return 1.0; }
