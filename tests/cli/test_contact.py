@@ -400,7 +400,7 @@ class Contact(unittest.TestCase):
         # If there are many pitches, the first one is checked.
         far = told(84, errors + "-0.1\n[contact]\npitches = 64")
         self.assertEqual([w["gear"] for w in far], [1, 1])
-        self.assertIn("0.01965 mm before", far[0]["message"])
+        self.assertIn("0.01965 mm apart", far[0]["message"])
         self.assertEqual(told(84, errors + "0.1"), [])
         self.assertEqual(told(83, errors + "-0.1"), [])
         self.assertEqual(told(84.3, ""), [])  # if there are no errors, the verb pair reports it

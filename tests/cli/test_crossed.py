@@ -166,7 +166,7 @@ class Crossed(unittest.TestCase):
             self.assertIn("60°", r.err)
         inch = Run("gear", 'units = "inch"\n[gear1]\nteeth = 25\nnormal_diametral_pitch_per_in = 10\n', "--as-rack", "2.6,20")
         # A module stays in mm.
-        self.assertIn("for the angle 20° the module must be 2.54\u00a0mm, or for the module 2.6\u00a0mm the angle", inch.err)
+        self.assertIn("for the pressure angle 20° the module must be 2.54\u00a0mm, or for the module 2.6\u00a0mm the pressure angle", inch.err)
         for junk in ("3", ",", "", "3,20,1", "x,20", "-3,20", "3,nan", "3 ,20x", "0x3,", ",1e-300", ",85"):
             self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", junk).status, 2, junk)
 

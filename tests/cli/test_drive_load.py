@@ -166,7 +166,7 @@ material = "16MnCr5"
         self.assertGreater(max(factors) - min(factors), 0.01)
         take = Run("drive", three + DRAFT + rating + '"computed"\n', "--take", "1")
         self.assertIn("mesh_load_factor = 1.", take.out)
-        for factor, words in (("{ sun_ring = 1.1 }", "they are sun_planet, planet_ring and planet_ring2"),
+        for factor, words in (("{ sun_ring = 1.1 }", "such meshes are sun_planet, planet_ring and planet_ring2"),
                               ('"computed"', "needs the table [load]"), ('"auto"', 'or "computed"'),
                               ("{ sun_planet = 0.5 }", "between 1 and 100")):
             run = Run("rate", three + rating + factor + "\n")

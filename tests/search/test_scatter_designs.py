@@ -204,7 +204,7 @@ class ScatterDesigns(unittest.TestCase):
         self.no(folder(spec(SEARCH)), 1, "scatter.errors", "crossing_deg", args=())
         pair = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[scatter]\nquality = 6\n"
         self.no(folder(pair), 1, "search", "spec of the search", args=("--designs", "x.json"))
-        self.no(folder(pair), 1, "", "run writes files", args=("--out", "o"))
+        self.no(folder(pair), 1, "", "`gearwright run` writes files", args=("--out", "o"))
         self.no(folder(TEXT.replace("lead_crowning_um", "lead_crown_um")), 1, "gear1.modifications.lead_crown_um", "lead_crowning_um")
         self.assertEqual([p.name for p in folder(TEXT).iterdir()], ["case.toml"])
 
