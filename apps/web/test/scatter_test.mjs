@@ -48,7 +48,7 @@ describe("scatter", () => {
     await move(place, 9, ["input"]);
     await page.waitForFunction(() => /profile_slope_um = \[ *-9/.test(window.gearwright.text()));
     await settled(page);
-    await state("^Estimate");
+    await state("^First-order estimate");
     const estimate = await highest();
     await move(place, 9, ["change"]);
     await state("^\\d+ pairs");
@@ -71,7 +71,7 @@ describe("scatter", () => {
     await move("scatter.quality", 5, ["input"]);
     await page.waitForFunction(() => /^quality = 5$/m.test(window.gearwright.text()));
     await settled(page);
-    await state("^Estimate");
+    await state("^First-order estimate");
     await move("scatter.quality", 5, ["change"]);
     await state("^\\d+ pairs");
     assert.ok((await highest()) < rough);
