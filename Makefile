@@ -135,6 +135,7 @@ test-dist: build/dist/SHA256SUMS
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
 	tests/dist/test_deb.sh build/release/gearwright build/dist
 	tests/dist/test_npm.sh build/release/gearwright build/dist/gearwright-[0-9]*.tgz
+	tests/dist/test_compilers.py build/release/gearwright --only unoptimised
 
 test-portable:
 	@tools/install_packages.sh core portable
