@@ -53,6 +53,7 @@ class BoxSearch {
     const std::size_t n = task_.lo.size();
     Cell whole;
     whole.middle.assign(n, 0.5);
+    best_ = whole.middle;  // the result if every value is infinite
     whole.side.assign(n, 1.0);
     whole.size = size_of(whole.side);
     whole.f = tried(whole.middle);
@@ -134,6 +135,7 @@ class BoxSearch {
       Cell last;
       last.size = (*at)->size;
       last.f = kInfinity;
+      last.age = std::numeric_limits<long>::max();  // also behind the cells whose value is infinite
       at = sorted_.upper_bound(&last);
     }
     return least;

@@ -1,6 +1,6 @@
 // Laws: (1) no trial leaves the box, and there are at most `evaluations`; (2) the returned point is
 // the best trial; (3) the minima of known functions are found; (4) an exception of f reaches the
-// caller. Oracle (5): the trials of NLopt 2.7.1.
+// caller; (6) infinite values and NaN do not stop the search. Oracle (5): the trials of NLopt 2.7.1.
 #include "gearwright/math/minimise.hpp"
 
 #include <gtest/gtest.h>
@@ -100,6 +100,26 @@ TEST(Minimise, FindsKnownMinima) {  // (3)
   const Point found = minimise(Minimiser::whole_box, global, {2.0, 2.0});
   EXPECT_NEAR(found[0], p[0], 1e-3);
   EXPECT_NEAR(found[1], p[1], 1e-3);
+}
+
+// (6) f may be infinite or NaN in a part of the box, or everywhere.
+TEST(Minimise, FindsTheMinimumBesideInfiniteValues) {
+  for (const std::size_t n : {1u, 2u, 3u})
+    for (const double lost :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+      for (const Minimiser how : kBoth) {
+        MinimiserTask task = task_of(n, -1.0, 1.0, 2000);
+        const Point p(n, 0.3);
+        // Finite only in the half of the box that contains the minimum and the start.
+        task.f = [&](const Point& x) { return x[0] < 0.1 ? lost : creased(x, p); };
+        const Point found = minimise(how, task, Point(n, 0.5));
+        ASSERT_EQ(found.size(), n);
+        EXPECT_LT(creased(found, p), creased(Point(n, 0.5), p));
+        task.f = [&](const Point&) { return lost; };
+        const Point any = minimise(how, task, Point(n, 0.5));
+        ASSERT_EQ(any.size(), n);
+        for (const double x : any) EXPECT_LE(std::abs(x), 1.0);
+      }
 }
 
 // Numbers of trials and the points that NLopt 2.7.1 returns, with 17 digits.

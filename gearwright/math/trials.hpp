@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "gearwright/math/minimise.hpp"
@@ -12,9 +13,11 @@ class Trials {
  public:
   explicit Trials(const MinimiserTask& task) : task_(&task) {}
 
+  /// Returns f(x), or infinity if f(x) is NaN, which has no order.
   double at(const std::vector<double>& x) {
     ++done_;
-    return task_->f(x);
+    const double f = task_->f(x);
+    return std::isnan(f) ? std::numeric_limits<double>::infinity() : f;
   }
   /// True if no further evaluation is allowed.
   bool spent() const { return done_ >= task_->evaluations; }
