@@ -2,51 +2,28 @@
 // proposal. The engine computes the proposals on request, because they take several times as long as one load.
 
 import { quantity } from "../catalogue";
-import { button, fill, h, scroller, sentenceOf, tableOf } from "../elements";
+import { h, tableOf } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
-import { at, bench } from "../workbench";
+import { Requested, type JsonRecord } from "../requested";
+import { at } from "../workbench";
 
-type Record = { [key: string]: Json };
 /** The scores that are compared, by their keys in the catalogue. */
 const kScores = ["peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"];
 
-export class Proposals {
-  private readonly go = button("Propose modifications", () => void this.compute(), { class: "main" });
-  private readonly state = h("span", { class: "soft", "aria-live": "polite" });
-  private readonly table = scroller("table-room", "proposals");
-  readonly element = h("div", { class: "proposals" }, h("div", { class: "load-head" }, this.go, this.state), this.table);
-  private of = ""; // text of the spec of the proposals that are shown or computed
-
-  /** Removes the proposals of another spec. */
-  show(text: string): void {
-    if (this.of === text) return;
-    this.of = "";
-    this.go.disabled = false;
-    fill(this.state);
-    fill(this.table);
+export class Proposals extends Requested {
+  constructor() {
+    super("propose", "proposals", "Propose modifications", "Computing the proposals …");
   }
 
-  private async compute(): Promise<void> {
-    const text = bench.good?.text;
-    if (!text) return;
-    this.of = text;
-    this.go.disabled = true;
-    this.state.textContent = "Computing the proposals …";
-    try {
-      const answer = await bench.press.call("run", { text, verb: "propose" });
-      if (this.of !== text) return;
-      const proposals = (at(answer, "propose.proposals") ?? []) as Record[];
-      const reason = at(answer, "propose.reason") ?? at(answer, "error.message");
-      this.state.textContent = String(reason ?? "");
-      const best = Number(at(answer, "propose.recommended"));
-      if (proposals.length) fill(this.table, this.list(proposals, best));
-    } catch (reason) {
-      if (this.of === text) this.state.textContent = sentenceOf(reason);
-    }
+  protected override read(answer: Json) {
+    const proposals = (at(answer, "propose.proposals") ?? []) as JsonRecord[];
+    const reason = at(answer, "propose.reason") ?? at(answer, "error.message");
+    const best = Number(at(answer, "propose.recommended"));
+    return { sentence: String(reason ?? ""), list: proposals.length ? this.list(proposals, best) : undefined };
   }
 
-  private list(proposals: Record[], best: number): HTMLTableElement {
+  private list(proposals: JsonRecord[], best: number): HTMLTableElement {
     const score = (key: string) => quantity("load.torques", key)!;
     const heads = kScores.map((key) => h("th", {}, score(key).words, " ", shownUnit(score(key))));
     return tableOf(
@@ -55,11 +32,8 @@ export class Proposals {
       ...proposals.map((proposal, i) => {
         const same = sameAs(proposals, i);
         if (same[0] !== i) return null;
-        const worst = proposal["worst"] as Record;
-        const take = button("Take", () => void this.take(proposal["spec"]!, i + 1), {
-          class: "main",
-          "aria-label": `take proposal ${i + 1}`,
-        });
+        const worst = proposal["worst"] as JsonRecord;
+        const take = this.takeButton(proposal["spec"]!, `proposal ${i + 1}`, `take proposal ${i + 1}`);
         return h(
           "tr",
           { class: i + 1 === best ? "taken" : null, "data-proposal": i + 1 },
@@ -71,11 +45,6 @@ export class Proposals {
       }),
     );
   }
-
-  private async take(spec: Json, number: number): Promise<void> {
-    const text = await bench.front.call("tomlOf", { json: JSON.stringify(spec) });
-    bench.setText(text, "proposal " + number);
-  }
 }
 
 /** The text of a value with the keys of all records in alphabetical order. */
@@ -83,22 +52,22 @@ function sortedText(value: Json): string {
   if (Array.isArray(value)) return `[${value.map(sortedText).join()}]`;
   if (value === null || typeof value !== "object") return JSON.stringify(value);
   const keys = Object.keys(value).sort();
-  return `{${keys.map((key) => `${key}:${sortedText((value as Record)[key]!)}`).join()}}`;
+  return `{${keys.map((key) => `${key}:${sortedText((value as JsonRecord)[key]!)}`).join()}}`;
 }
 /** The indices of the proposals with the same spec as proposal `i`; the order of keys is ignored. */
-function sameAs(proposals: Record[], i: number): number[] {
+function sameAs(proposals: JsonRecord[], i: number): number[] {
   const specs = proposals.map((one) => sortedText(one["spec"]!));
   return proposals.map((_, k) => k).filter((k) => specs[k] === specs[i]);
 }
 /** ". Also 3, 4: long tip relief; helix crowning" */
-function alsoOf(proposals: Record[], same: number[]): string {
+function alsoOf(proposals: JsonRecord[], same: number[]): string {
   const others = same.slice(1);
   if (!others.length) return "";
   const words = others.map((k) => proposals[k]!["words"]).join("; ");
   return `. Also ${others.map((k) => k + 1).join(", ")}: ${words}`;
 }
 /** "long tip relief, helix crowning. Gear 1: tip relief 12 µm from 79.123 mm. Gear 2: tip relief 11 µm from …" */
-function wordsOf(proposal: Record): string {
-  const amounts = (proposal["gears"] as Record[]).map((gear, i) => gear["amounts"] && `Gear ${i + 1}: ${gear["amounts"]}`);
+function wordsOf(proposal: JsonRecord): string {
+  const amounts = (proposal["gears"] as JsonRecord[]).map((gear, i) => gear["amounts"] && `Gear ${i + 1}: ${gear["amounts"]}`);
   return [proposal["words"], ...amounts].filter(Boolean).join(". ");
 }
