@@ -113,8 +113,8 @@ void add_motion(Quantities<Drive>& q) {
       .shown([](const Drive& d) { return d.motion.ratio && !d.motion.ratio->whole(); });
   q.whole("degrees_of_freedom", "degrees of freedom", "f", "[T13.2]",
           [](const Drive& d) { return d.motion.freedom; });
-  q.whole("period_input_turns", "period", "",
-          "turns of the input after which all bodies are again in their initial positions [T13.5]",
+  q.whole("period_input_turns", "period in turns of the input", "",
+          "number of turns after which all bodies are again in their initial positions [T13.5]",
           [](const Drive& d) -> Value {
             if (!d.motion.period) return {};
             const auto turns = d.motion.period->numerator();
