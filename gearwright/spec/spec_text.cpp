@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -312,10 +313,13 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
   if (!pipe) file.open(path, std::ios::binary);
   if (!pipe && !file) throw IoError("cannot read " + name + ": " + std::strerror(errno));
   std::istream& in = pipe ? std::cin : file;
-  SpecText read{name, std::string(kMaxSpec + 1, '\0')};
-  in.read(read.text.data(), static_cast<std::streamsize>(read.text.size()));
+  SpecText read{name, {}};
+  std::array<char, 16384> part;
+  while (in && read.text.size() <= kMaxSpec) {
+    in.read(part.data(), part.size());
+    read.text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw IoError("cannot read " + name + ": " + std::strerror(errno));
-  read.text.resize(static_cast<std::size_t>(in.gcount()));
   if (read.text.size() > kMaxSpec) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
