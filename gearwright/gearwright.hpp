@@ -17,63 +17,64 @@
 // example programs of examples/cpp.
 #pragma once
 
-// Numbers: 20_deg, Angle, Result, µm and arcseconds, the version
+// Numbers and units: Angle, 20_deg, Result, µm and arcseconds, and the version.
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 
-// One gear: make_gear, make_pinion_cut_gear, flank modifications
+// One gear: make_gear(), make_pinion_cut_gear() and flank modifications.
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/tool/rack.hpp"
 
-// Two gears: mount, mount_rack, and the requirements on the housing
+// Two gears: mount(), mount_rack(), and the requirements on the housing.
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
-// From a drawing with missing numbers to gears and pair: arrange, and judge, the verdict on them
+// Incomplete drawings: arrange() completes the missing numbers, and judge() returns a verdict.
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/arrange/judge.hpp"
 
-// Contact under errors: contact (of a pair, or of a rack), contact_pattern, map_of_errors, ContactSetup, compensate
+// Contact under errors: contact() of a pair or a rack, contact_pattern(), map_of_errors(),
+// compensate().
 #include "gearwright/contact/corrections.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 
-// Tolerances: scatter_of, their effect over many pairs; sample_warnings; robust_corrections
+// Tolerances: scatter_of() computes their effect over many pairs. robust_corrections() reduces it.
 #include "gearwright/scatter/robust.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
-// Elastic teeth: loaded, teeth under torque; probes of one tooth
+// Elastic teeth: loaded() computes contact under torque, and probes describe single teeth.
 #include "gearwright/arrange/face_loads.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
 
-// Strength: rated_pair, rate, rate_spectrum, torque_of_safety, the table of steels
+// Strength: rated_pair(), rate(), rate_spectrum(), torque_of_safety() and the table of steels.
 #include "gearwright/rating/sizing.hpp"
 #include "gearwright/rating/spectrum.hpp"
 
-// Inspection: measure; identification of an unknown gear: identify
+// Inspection: measure() a gear, and identify() an unknown gear.
 #include "gearwright/arrange/measured_gear.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/inspection/identify.hpp"
 
-// Whole drives: graph_of, train_of, make_drive, rate_meshes; search for drives: search_drives
+// Whole drives: graph_of(), train_of(), make_drive(), rate_meshes() and search_drives().
 #include "gearwright/design/drive_search.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
-// Design: fit, design_few_teeth, Search
+// Design: fit(), design_few_teeth() and Search.
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/design/fit.hpp"
 #include "gearwright/design/search.hpp"
 
-// Files: gear_body or drive_solids, then STEP, STL, 3MF, GLB, DXF, SVG
+// Files: gear_body() or drive_solids(), and the writers of STEP, STL, 3MF, GLB, DXF and SVG.
 #include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/mesh_files.hpp"

@@ -82,8 +82,7 @@ Error following_from(std::string field, std::string value, std::string_view how,
 
 namespace {
 
-// The rule of an error that absent_input() has made, without the words "is missing" at its
-// beginning.
+// Returns the rule of an error from absent_input(), without its first words "is missing".
 std::string_view what_is_wanted(const Error& error) {
   std::string_view rule = error.rule;
   rule.remove_prefix(std::string_view("is missing").size());

@@ -68,8 +68,7 @@ Error within(std::string_view whole, Error error);
 Error following_from(std::string field, std::string value, std::string_view how,
                      const Error& error);
 
-// Combines all missing inputs in one error, so that a user with an almost empty input sees all of
-// them at once.
+// Combines all missing inputs in one error, so that the user sees all of them at once.
 
 /// The first error, with the other missing inputs appended to its rule: "…; also missing:
 /// rating.quality (the accuracy grades …), …". Each field and each explanation occurs once. If

@@ -23,12 +23,11 @@ double rounded_down(double x, int decimals);
 
 inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a sentence
 
-/// The number with this many significant digits, or fewer if the number has no more: 0.1, not
-/// 0.100000.
+/// The number with at most this many significant digits and no trailing zeros: 0.1, not 0.100000.
 std::string with_digits(double x, int digits);
 
-/// The number of significant digits, at least six, that is needed to distinguish x from
-/// `other`. Six if x and `other` are equal.
+/// The number of significant digits, at least six, that is needed to distinguish x from `other`.
+/// The result is six if x and `other` are equal.
 int digits_between(double x, double other);
 
 /// A rough count with three significant digits, without an exponent below 10⁶: 1020, 2.5e+10.

@@ -1,5 +1,4 @@
-// Output files appear completely or not at all: each is written to a temporary file and then
-// renamed.
+// Output files appear completely or not at all, because a temporary file is written and renamed.
 #pragma once
 
 #include <filesystem>
@@ -24,9 +23,9 @@ void make_folder(const std::filesystem::path& folder);
 /// Throws    IoError naming the path and the system's reason; the temporary file is then removed
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// For writers that need a path (Parquet). Calls `write` with a temporary path in the same
-/// folder, then renames the file. If `write` throws an exception, the temporary file is removed
-/// and the caller receives the exception.
+/// Like write_file(), for writers that need a path (Parquet). The function calls `write` with a
+/// temporary path in the same folder and then renames the file. If `write` throws an exception, the
+/// temporary file is removed and the caller receives the exception.
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path&)>& write);
 

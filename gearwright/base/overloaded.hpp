@@ -1,5 +1,4 @@
-// Combines several lambdas into one function object for std::visit, one lambda for each alternative
-// of a variant.
+// Combines lambdas, one for each alternative of a variant, into one function object for std::visit.
 #pragma once
 
 namespace gearwright {

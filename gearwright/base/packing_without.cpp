@@ -52,7 +52,7 @@ std::uint32_t crc32_of(std::string_view bytes) {
 std::string deflated(std::string_view content) {
   GW_EXPECTS(content.size() <= INT_MAX);
   int length = 0;
-  // The function does not write to its input.
+  // stbi_zlib_compress() does not write to its input, although the parameter is not const.
   auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(content.data()));
   unsigned char* packed =
       stbi_zlib_compress(data, static_cast<int>(content.size()), &length, kQuality);

@@ -1,5 +1,5 @@
-// Prepares foreign text, such as titles and file names, for sentences and terminals. Also divides
-// and joins texts.
+// Prepares foreign text, such as titles and file names, for sentences and terminals. The file also
+// declares functions that divide and join texts.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// The progress of a long computation. The computation counts its steps, and any thread may read
-// the count.
+// The progress of a long computation, which counts its steps. Any thread may read the count.
 //
 // A computation with progress takes a `Progress*`, which may be null. Counting changes no
 // result and needs no lock. If a caller stops the computation, the next step throws

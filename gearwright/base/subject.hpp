@@ -1,9 +1,9 @@
 // The gear and the member that an error concerns, as data for decisions in code.
 //
-// The field of an error is a text for users, "gear1.tip_fillet.end_radius". If its value was
-// computed from other inputs, code attributes the error to one of these inputs and must
-// therefore know the member. The table in subject.cpp translates the field for this purpose. No
-// other code compares fields.
+// The field of an error is a text for users, "gear1.tip_fillet.end_radius". If the value of the
+// field was computed from other inputs, code attributes the error to one of these inputs. For this
+// purpose, the table in subject.cpp translates the field to a gear and a member. No other code
+// compares fields.
 #pragma once
 
 #include <string_view>

@@ -3,7 +3,7 @@
 #include <process.h>
 #include <sys/stat.h>
 #include <windows.h>
-// The headers below must follow windows.h.
+// windows.h must be included before the headers below.
 #include <shellapi.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 
 #ifdef __MINGW32__
 // libstdc++ converts a std::string to a path with mbrtowc, which uses the encoding of the C locale.
-// In msvcrt, this cannot be UTF-8, so the linker replaces mbrtowc by this function (--wrap,
-// cmake/gw_portable.cmake), which converts UTF-8 to UTF-16. For a character of two UTF-16 units,
-// the first call returns the first unit and consumes three of the four bytes. The second unit is
-// kept in `state`, and the next call returns it and consumes the fourth byte.
+// In msvcrt, this encoding cannot be UTF-8. The linker therefore replaces mbrtowc by this function
+// (--wrap, cmake/gw_portable.cmake), which converts UTF-8 to UTF-16. For a character of two UTF-16
+// units, the first call returns the first unit and consumes three of the four bytes. The second
+// unit is kept in `state`, and the next call returns it and consumes the fourth byte.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t most,
                                       std::mbstate_t* state) {
   constexpr auto kBad = static_cast<std::size_t>(-1), kPart = static_cast<std::size_t>(-2);
@@ -89,8 +89,7 @@ int FileHandle::write(std::string_view bytes) {
     const auto count = static_cast<unsigned>(std::min(bytes.size(), kAtOnce));
     _doserrno = 0;
     const int written = ::_write(descriptor_, bytes.data(), count);
-    // If the disk has room for only some of the bytes, Wine reports a failure but sets no system
-    // error.
+    // If the disk has room for some of the bytes only, Wine fails without setting a system error.
     if (written < 0) return _doserrno == 0 ? ENOSPC : errno;
     if (written == 0) return ENOSPC;
     bytes.remove_prefix(static_cast<std::size_t>(written));

@@ -21,7 +21,7 @@ inline constexpr double kMmPerM = 1e3;
 inline constexpr double kMmPerUm = 1e-3;
 inline constexpr double kMetresPerMm = 1e-3;
 
-// Torques in N m, as users read and write them, and in N mm, the internal unit.
+// Convert torques between N m, the unit of users and files, and N mm, the internal unit.
 
 constexpr double newton_metres(double torque) { return torque / kMmPerM; }
 constexpr double from_newton_metres(double torque_Nm) { return torque_Nm * kMmPerM; }

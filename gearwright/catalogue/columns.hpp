@@ -19,8 +19,7 @@ struct RecordColumn {
   bool optional = false;                  ///< true if a row may have no value for the column
 
   const QuantityInfo& info() const { return *path.back(); }
-  /// True if the column is a record. The quantities of the record are the columns after this
-  /// column.
+  /// True if the column is a record. The next columns are then the quantities of the record.
   bool opened() const { return info().of && info().list.empty(); }
   /// Returns the keys of the path, separated by `between`, for example "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
@@ -28,8 +27,7 @@ struct RecordColumn {
   /// Returns the number of values that this column has in each row, including the values of nested
   /// lists. Returns 0 if this number varies from row to row.
   std::size_t width() const;
-  /// Returns the value of this column in a record of the row's table, or null if the record has no
-  /// such value.
+  /// Returns the value of this column in a record of the row's table, or null if there is none.
   const Value* in(const ValueRecord& row) const;
   /// Returns the plain values of this column in a row. The result has width() elements. If a value
   /// is missing, its element is null.
@@ -40,8 +38,7 @@ struct RecordColumn {
 
 std::vector<RecordColumn> columns_of(const QuantityTable& table);
 
-/// Returns the value of a quantity in a record of its table, or null if the record has no such
-/// value.
+/// Returns the value of a quantity in a record of its table, or null if there is none.
 const Value* value_in(const ValueRecord& record, const QuantityInfo& info);
 
 /// Returns the given tables, each followed by the tables of its records. No table occurs twice.

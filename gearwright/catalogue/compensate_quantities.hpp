@@ -40,8 +40,7 @@ struct CompensateView {
   std::vector<AimedLoad> loads{};  ///< results for each torque, if the aim includes load
 };
 
-/// Returns, as text, the smallest improvement for which corrections are made, for example "0.001
-/// ″".
+/// Returns the smallest improvement for which corrections are made, as text: "0.001 ″".
 const char* least_gain(CompensateAim aim);
 
 const Quantities<CompensateView>& compensate_quantities();

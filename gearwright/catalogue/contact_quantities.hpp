@@ -1,5 +1,4 @@
-// The quantities of tooth contact, with positions, patterns and maps. A result contains them under
-// `contact`.
+// The quantities of tooth contact under `contact`, with positions, patterns and maps.
 #pragma once
 
 #include <array>

@@ -72,8 +72,7 @@ Key torque_key(KeyPlace place) {
       .with_form("a number");
 }
 
-// Sets the torque P/ω. The key of the speed comes before the key of the power, so the speed is
-// known.
+// Sets the torque P/ω. The speed is known, because its key comes before the key of the power.
 std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
                       std::optional<double>& torque_Nm) {
   if (speeds_rpm.empty() || speeds_rpm.front() == 0.0)
@@ -89,8 +88,7 @@ std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
   return "";
 }
 
-// Makes the key of a power. `part` returns the part of T with the speeds and the torque of the
-// input.
+// Makes the key of a power. `part` returns the part of T with the input's speeds and torque.
 template <class T, class Part>
 Key power_key(Part part) {
   const auto set = [part](T& input, double power) {

@@ -23,8 +23,7 @@ struct StageInput {
 };
 
 const KeyTable& stage_keys();
-/// The keys of a gear in the list `gears` of a stage. These are the keys of [gear1] that apply to a
-/// drive.
+/// Those keys of [gear1] that a gear in the list `gears` of a stage can have.
 const KeyTable& stage_gear_keys();
 
 /// [drive]: the graph, and the names of the bodies and gears to which it refers.

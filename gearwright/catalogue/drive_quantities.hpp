@@ -47,8 +47,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities();
 /// Returns the greatest mesh load factor K_γ of the planets under load. Returns none without
 /// planets or without a load.
 std::optional<double> mesh_load_factor(const Drive& drive);
-/// Returns the mesh load factor K_γ with which the planet meshes are rated. Returns none without a
-/// rating.
+/// Returns the K_γ with which the planet meshes are rated, or none without a rating.
 std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
 /// Returns [p, q] in lowest terms, or null if one of the numbers has more than 63 bits.
@@ -56,8 +55,7 @@ Value exact_fraction(const Rational& r);
 /// Returns phases in periods, or null if there are none.
 Value phase_list(const std::vector<Rational>& phases);
 
-/// Returns the rating of a mesh, with the quantities of the rating of a pair. A mesh without power
-/// has no rating.
+/// Returns the rating of a mesh, as for a pair. A mesh without power has no rating.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 
 const Quantities<PlanetSet>& assembly_quantities();

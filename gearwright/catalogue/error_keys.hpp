@@ -50,8 +50,7 @@ struct ErrorsInput {
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }
-  /// Returns all errors for these gears. If gear 2 is a rack, the caller passes the pinion as gear
-  /// 2.
+  /// Returns all errors for these gears. For a rack, the caller passes the pinion as gear 2.
   ContactErrors of(const std::array<const Gear*, 2>& gears) const;
 };
 

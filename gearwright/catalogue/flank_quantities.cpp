@@ -10,8 +10,8 @@ namespace {
 
 double flank_degrees(double rad) { return Angle::radians(rad).deg(); }
 
-// Adds the quantities of one end of the active flank. Contact with the mating gear ends at this
-// point, at the root or at the tip.
+// Adds the quantities of an end of the active flank (root or tip), where contact with the mating
+// gear ends.
 void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;

@@ -12,16 +12,14 @@ namespace gearwright {
 
 namespace {
 
-// Limits that do not depend on other keys. gear/gear.cpp has the same limits, and a test compares
-// both.
+// Limits that do not depend on other keys. A test compares them with the limits of gear/gear.cpp.
 constexpr double kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3, kMaxModule = 1e3;                  // mm
 constexpr double kMinPressure = 1, kMaxPressure = 60, kMaxHelix = 89;  // degrees
 constexpr double kMaxShift = 1e4;                                      // modules
 constexpr double kMinPitch = 0.0254, kMaxPitch = 25400;                // 1/in, 25.4 mm / m_n
 
-// Returns the normal pressure angle for a transverse pressure angle, both in degrees: tan α_n = tan
-// α_t cos β.
+// Returns the normal pressure angle, degrees, from tan α_n = tan α_t cos β with α_t in degrees.
 double normal_of_transverse(double alpha_t, double cos_beta) {
   return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
 }

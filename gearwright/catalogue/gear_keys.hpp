@@ -25,10 +25,9 @@ struct BasicInput {
 };
 
 const KeyTable& gear_keys();
-/// The keys of [gearN.cut_by]. These are the keys of a gear, except those of flanks and cutters.
+/// The keys of [gearN.cut_by], which are the keys of a gear except those of flanks and cutters.
 const KeyTable& cutter_keys();
-/// The keys of [gearN] in a spec with [search]. Their values are those that the search does not
-/// determine.
+/// The keys of [gearN] in a spec with [search], for values that the search does not determine.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();
@@ -38,8 +37,7 @@ const KeyTable& double_helical_keys();
 
 const KeyTable& material_keys();
 
-// The keys of [gear1.shaft] and [gear2.shaft]: the bearings, the diameters and the side of the
-// torque.
+// The keys of [gear1.shaft] and [gear2.shaft]: bearings, diameters and the side of the torque.
 
 const KeyTable& shaft_keys();
 
@@ -58,8 +56,7 @@ const KeyTable& rack_arc_keys();         ///< the keys of each table in `arcs`
 // [gearN.tolerance], and the readings of an unknown gear in [gearN.measured].
 
 inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
-/// The value is one number, or two limits. If the spec gives limits, the teeth are computed with
-/// their mean.
+/// The value is one number or two limits. If limits are given, the teeth have their mean.
 inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
 
 const KeyTable& measure_keys();
@@ -71,8 +68,7 @@ inline constexpr std::size_t kMostBallReadings = 20;
 const KeyTable& measured_keys();
 /// The keys of one entry of over_balls_mm.
 const KeyTable& measured_ball_keys();
-/// The keys for the known data of an unknown gear. An unknown gear is a [gearN] with readings but
-/// no module.
+/// The keys for the known data of an unknown gear, a [gearN] with readings but no module.
 const KeyTable& unknown_gear_keys();
 
 const KeyTable& pair_keys();
@@ -97,8 +93,7 @@ const KeyTable& fit_keys();
 // A key without a prefix applies to both flanks. A key with the prefix right_ or left_ applies to
 // one flank and takes precedence over the key without a prefix.
 
-/// A modification. For example, if its name is "tip_relief", the key of its amount is
-/// tip_relief_um.
+/// A modification. If its name is "tip_relief", the key of its amount is tip_relief_um.
 struct ModificationEntry : ModificationMember {
   std::string_view symbol;       ///< C_αa
   std::string_view words;        ///< "tip relief"
@@ -121,8 +116,8 @@ struct FlanksInput {
 };
 
 const KeyTable& modification_keys();
-/// Returns the key that applies to a flank. This is the key with the prefix of the flank, or else
-/// the key for both flanks.
+/// Returns the key that applies to a flank: the key with the prefix of the flank if it is given,
+/// and otherwise the key for both flanks.
 std::string key_of_flank(const KeyGiven& given, std::size_t flank, const std::string& key);
 
 }  // namespace gearwright

@@ -1,5 +1,4 @@
-// Adds the inch names of lengths to a JSON Schema that is written for mm. Internal to catalogue/
-// and job/.
+// Adds the inch names of lengths to a JSON Schema written for mm. Internal to catalogue/ and job/.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

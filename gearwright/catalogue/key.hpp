@@ -82,7 +82,8 @@ struct KeyList {
   std::vector<double> (*series)(std::string_view word) = nullptr;
 };
 
-/// A key that sets the value of the key `of`, but in another unit or in another section.
+/// A key that sets the value of another key, `of`. The value is in another unit or belongs to
+/// another section.
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< converts to the unit of `of`
@@ -180,8 +181,8 @@ struct Key {
     return std::move(*this);
   }
 
-  /// Returns `fields` if it is not empty. Otherwise returns the name of the key without its unit.
-  /// For an alias, this is the name of the key `of` of the alias.
+  /// Returns `fields` if it is not empty. Otherwise returns the name of the key without its unit,
+  /// or, for an alias, the name of the key that the alias sets.
   std::vector<std::string> members() const;
 };
 
@@ -197,8 +198,7 @@ struct KeyTable {
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
-  /// only() returns a table with only these keys, in this order. without() returns a table without
-  /// these keys.
+  /// only() returns a table with only these keys, in this order. without() omits these keys.
   KeyTable only(const std::vector<std::string_view>& kept) const;
   KeyTable without(const std::vector<std::string_view>& left_out) const;
   std::vector<std::string> names() const;

@@ -138,7 +138,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
-  // The table `own`, which contains this table, is searched first.
+  // The top-level table `own`, which contains `table`, is searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
   // The short forms of drives and the table [search] use the words of the gears and the pair again.

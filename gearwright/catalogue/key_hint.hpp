@@ -21,8 +21,8 @@ namespace gearwright {
 /// `path` is the name of the table, for example "gear1.rack". It is empty for the file itself.
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key);
 
-/// Returns a name in the form for comparison. This form has only small Latin letters and digits,
-/// and Greek letters are spelled out.
+/// Returns a name in the form for comparison, which has only small Latin letters and digits. Greek
+/// letters are spelled out.
 std::string folded(std::string_view name);
 
 // Sentences about inputs that users may expect but that are not supported. Each sentence states

@@ -92,7 +92,7 @@ class KeyPlace {
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
-  /// A member that a function returns: within<T>([](T& t) -> auto& { return t.life[0]; })
+  /// Makes a place for the member that a function returns: within<T>([](T& t) -> auto& { … })
   template <class T, class F>
   static KeyPlace within(F reach);
   /// Makes a place whose members the function set(T&, const V&) computes and sets. The function may
@@ -117,8 +117,7 @@ class KeyPlace {
   template <class T>
   KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 
-  /// Returns a copy of this place that also accepts a word in place of the number. The word calls
-  /// set(T&).
+  /// Returns a copy of this place that also accepts a word, which calls set(T&), for the number.
   template <class T, class F>
   KeyPlace or_word(F set) const;
 
@@ -257,7 +256,7 @@ using KeyGiven = std::function<bool(std::string_view)>;
 class KeyRule {
  public:
   KeyRule() = default;
-  /// Implicit, so that a table entry can be the bare function.
+  /// This constructor is implicit, so that an entry of a table can be the function itself.
   template <class T>
   KeyRule(std::optional<KeyFault> (*rule)(T&, const KeyGiven&))  // NOLINT
       : rule_([rule](KeyTarget input, const KeyGiven& given) {

@@ -47,8 +47,7 @@ TEST(Keys, a_place_takes_what_the_key_says) {
   for (const KeyTable* table : all_key_tables()) {
     for (const Key& key : table->keys) {
       if (!key.place || key.place.kind() == KeyKind::any)
-        continue;  // the key is read elsewhere or
-                   // is only checked
+        continue;  // the key is read elsewhere or is only checked
       // If the value may have several forms, the place takes its number.
       const KeyKind kind = key.kind == KeyKind::any ? KeyKind::number : key.kind;
       EXPECT_EQ(key.place.kind(), kind) << table->name << "." << key.key;

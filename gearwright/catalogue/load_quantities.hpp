@@ -1,5 +1,4 @@
-// The quantities of loaded contact, with torques, positions and probes. A result contains them
-// under `load`.
+// The quantities of loaded contact under `load`, with torques, positions and probes.
 #pragma once
 
 #include <optional>

@@ -50,8 +50,7 @@ bool names_plastic(std::string_view name) {
   });
 }
 
-// Checks the name of a material. If no values are given, the name must be in the table of known
-// materials.
+// Checks the name of a material. Without values, the name must be in the table of known materials.
 std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
   const bool by_temperature = !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty();
   if (!m.name || m.sigma_Hlim || m.sigma_Flim || m.youngs_modulus || by_temperature)

@@ -218,8 +218,7 @@ const Quantities<ParallelPair>& needed_face_quantities() {
   using P = ParallelPair;
   using Face = std::optional<double> (*)(const P&);
   return define("pair.needed face width", [](Quantities<P>& q) {
-    // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear
-    // is also added.
+    // Adds the face width of the teeth and, for double-helical gears, also that of the whole gear.
     const auto add = [&q](const char* key, const char* whole_key, const char* words,
                           const char* meaning, Face face) {
       const auto worth = [face](const P& p) { return face(p).value_or(0.0) > 0.0; };

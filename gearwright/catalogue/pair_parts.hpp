@@ -22,9 +22,8 @@ const Quantities<std::array<Value, 2>>& two_gears_mm();
 
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
-/// Adds the entry `specific_sliding`. Programs get a record, and users get a row for A and a row
-/// for E. `q` contains the quantities of a pair or of a part of a pair. `get` returns a
-/// SlidingAtEnds of this subject.
+/// Adds the entry `specific_sliding`, a record for programs and two rows, for A and E, for users.
+/// `q` contains the quantities of a pair or of its part, and `get` returns its SlidingAtEnds.
 template <class Q, class G>
 void add_sliding(Q& q, const char* meaning, G get) {
   q.template record<two_gears>("specific_sliding", meaning, [get](const auto& s) {

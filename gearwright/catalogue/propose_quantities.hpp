@@ -37,8 +37,7 @@ struct Proposal {
   LoadedScore worst = no_score();          ///< worst values over all torques
   std::optional<LoadedScore> at_limits{};  ///< worst values at both limits of the helix slope
                                            ///< deviation
-  /// Points of the loaded transmission error under the greatest torque: rotation of gear 1 in °,
-  /// error in ″.
+  /// Transmission error under the greatest torque: rotation of gear 1 in °, error in ″.
   std::vector<Vec2> transmission_error{};
   Value spec{};  ///< the whole spec with these modifications
 };
@@ -61,8 +60,8 @@ const Quantities<Proposal>& proposal_quantities();
 
 /// Returns the proposal in words, for example "short tip relief with f_pb, helix crowning".
 std::string words_of(const Proposal& proposal);
-/// Returns the indices of the proposals with the same spec as proposal `i`. `i` is the first index.
-/// The list is empty if a proposal before `i` has the same spec.
+/// Returns the indices of the proposals with the same spec as proposal `i`, beginning with `i`
+/// itself. The list is empty if a proposal before `i` has the same spec.
 std::vector<std::size_t> same_proposals(const std::vector<Proposal>& proposals, std::size_t i);
 /// Returns the numbers and the words of all proposals in `same` except the first. An example is "3,
 /// 4, 6: long tip relief; helix crowning; long tip relief, helix crowning". The text is empty if

@@ -26,9 +26,9 @@
 
 namespace gearwright {
 
-/// A quantity with its getter and its conditions. These functions take the address of the subject,
-/// so that they have the same types for all subjects and are compiled once. Only Quantities<S>
-/// creates them and calls them, so the address is always that of an S.
+/// A quantity with its getter and its conditions. All of these functions take the address of the
+/// subject, so that they have the same types for all subjects and are compiled once. Only
+/// Quantities<S> creates them and calls them, so the address is always that of an S.
 struct Quantity {
   QuantityInfo info;
   std::function<Value(const void*)> get{};
@@ -55,8 +55,7 @@ std::function<R(const void*)> on_address(F f) {
   }
 }
 
-/// Refines a quantity that was just added for the subject S. The functions are listed in their
-/// usual order.
+/// Refines a quantity that was just added for the subject S. The functions have their usual order.
 template <class S>
 class QuantityEntry {
  public:
@@ -64,8 +63,7 @@ class QuantityEntry {
 
   // States that the value is never null, although its getter returns a Value.
   QuantityEntry always() { return q_->info.always = true, *this; }
-  // States that the number may be missing (NaN or infinity), although its getter returns a
-  // plain number.
+  // States that the number may be missing (NaN or ∞), although its getter returns a plain number.
   QuantityEntry or_null() { return q_->info.always = false, *this; }
   QuantityEntry in_inch() { return q_->info.only_inch = true, *this; }
   QuantityEntry digits(int n) { return q_->info.digits = n, *this; }
@@ -179,11 +177,10 @@ std::function<Value(const void*)> getter(Unit unit, G get) {
 class QuantityList {
  public:
   QuantityList() = default;
-  QuantityList(const QuantityList&) = delete;  // because table_ points into list_
+  QuantityList(const QuantityList&) = delete;  // not copied, because table_ points into list_
   QuantityList& operator=(const QuantityList&) = delete;
 
-  /// Sets the headings in the order for users. Other headings are appended in the order of their
-  /// first use.
+  /// Sets the headings in the order for users. Other headings follow in the order of first use.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
   /// Sets the heading of the quantities that follow. At first there is no heading.
@@ -301,8 +298,7 @@ class Quantities : public QuantityList, public QuantityForms<Quantities<S>, S, S
     finish(std::move(name));
   }
 
-  /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no
-  /// such part.
+  /// Adds entries of a part of the subject. `find` returns the part, or null if there is none.
   template <class P>
   PartQuantities<S, P> part(const P* (*find)(const S&)) {
     return {*this, find};

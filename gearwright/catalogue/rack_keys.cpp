@@ -24,8 +24,8 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
 // Sets all values to the defaults for this cutter. Keys that are read later replace single values.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
-// The default of the tip rounding may be the full radius. This step ensures that floating-point
-// errors do not make it greater than the full radius.
+// Sets a default tip rounding that exceeds the full radius to slightly less than the full radius.
+// Such a default can result from rounding errors.
 std::optional<KeyFault> complete_arc_rack(ArcRack& rack, const KeyGiven& given) {
   constexpr double kInside = 1.0 - 1e-12;
   const double greatest = full_radius(rack);

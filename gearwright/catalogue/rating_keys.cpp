@@ -42,8 +42,7 @@ Key mesh_load_factor() {
   return key;
 }
 
-// Makes the key of K_Hβ. If the value is "computed", the job computes K_Hβ from the load along the
-// teeth.
+// Makes the key of K_Hβ. For "computed", the job computes K_Hβ from the load along the teeth.
 Key face_load_factor() {
   Key key = factor(
       "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,

@@ -156,8 +156,7 @@ ValueList of_materials(const RatingAnswer& v, F value) {
   return values;
 }
 
-// Returns a strength of both materials. The value is null for a plastic whose strength depends on
-// temperature.
+// Returns a strength of both materials; null for a plastic whose strength varies with temperature.
 Value strengths(const RatingAnswer& v, double Material::*member) {
   return of_materials(
       v, [member](const Material& m) { return m.*member > 0.0 ? Value(m.*member) : Value(); });

@@ -14,8 +14,7 @@
 
 namespace gearwright {
 
-/// The computed tooth contact under load, over all positions. It supplements the rating by the
-/// standard.
+/// The computed tooth contact under load, over all positions. It supplements the standard's rating.
 struct ToothContact {
   double torque;                      ///< T_1 K_A K_γ K_v  N m, on gear 1
   double pressure;                    ///< p_H  N/mm², greatest pressure

@@ -1,5 +1,4 @@
-// The quantities that describe the scatter due to tolerances. A result contains them under
-// `scatter`.
+// The quantities under `scatter`, which describe the scatter due to tolerances.
 #pragma once
 
 #include <array>

@@ -55,8 +55,7 @@ TextTable correlation_table(const ScatterTask& task, UnitSystem units) {
   return table;
 }
 
-// Returns the texts of estimates. If there are several replicates, also returns their standard
-// errors.
+// Returns the texts of estimates and, if there are several replicates, their standard errors.
 TextTable::Row estimate_row(UnitSystem units, const SpreadEntry& entry, std::string words,
                             const std::vector<Estimate>& estimates) {
   TextTable::Row row{std::move(words), std::string(unit_text(units, entry.unit)), {}};
@@ -193,8 +192,7 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
   return table;
 }
 
-// Returns the corrections, and the percentiles without and with them, for rigid teeth or for each
-// torque.
+// Returns the corrections, and the percentiles without and with them, for rigid or loaded teeth.
 std::vector<TextTable> robust_tables(const RobustView& r, UnitSystem units) {
   const std::string point = format_number(r.percent) + " % point";
   const std::vector<std::string> both{"without corrections", "with corrections"};

@@ -14,8 +14,7 @@ const KeyTable& search_keys();
 /// order. Returns an empty list for any other name.
 std::vector<double> module_series(std::string_view name);
 
-/// The word for teeth without allowances. A spec may give this word in place of a series of DIN
-/// 3967.
+/// The word for teeth without allowances, which a spec may give in place of a series of DIN 3967.
 inline constexpr std::string_view kNoAllowances = "none";
 /// Returns the reason for rejecting a name that is not a series of thickness allowances of DIN
 /// 3967. Returns an empty text for such a series, for kNoAllowances and for an empty name.

@@ -21,8 +21,7 @@ Json number_json(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
 }
 
-// Returns the schema of a number. In a list, general limits of numbers, such as kMaxInput, do not
-// apply.
+// Returns the schema of a number. General limits, such as kMaxInput, do not apply in a list.
 Json number_schema(const Key& key) {
   const bool whole = key.kind == KeyKind::whole;
   const double most = whole ? kMaxWholeInput : kMaxInput;
@@ -72,7 +71,7 @@ std::vector<Json> element_schemas(const Key& key) {
     case KeyKind::any: break;
   }
   if (!key.range.limited()) return {};
-  const Json number = number_schema(key);  // of a number, or of numbers by name
+  const Json number = number_schema(key);  // schema of a number, or of numbers by name
   return {number, {{"type", "object"}, {"additionalProperties", number}}};
 }
 

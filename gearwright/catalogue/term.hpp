@@ -53,8 +53,7 @@ enum class Type {
 
 /// Returns "mm", "°", "µm" and so on, or "" for a pure number.
 std::string_view unit_text(Unit unit);
-/// Returns the suffix of keys in this unit, "_mm" or "_deg". Returns "" for a unit without a
-/// suffix.
+/// Returns the suffix of keys in this unit, "_mm" or "_deg", or "" if the unit has no suffix.
 std::string_view unit_suffix(Unit unit);
 /// Returns the unit that the suffix of the key names, or Unit::none if there is no such suffix.
 Unit unit_of(std::string_view key);

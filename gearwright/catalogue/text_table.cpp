@@ -8,8 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// Makes the column of the quantity `info`. If `gear` is 1 or 2, the column has the values of this
-// gear.
+// Makes the column of the quantity `info`, for gear 1 or 2 if `gear` is 1 or 2.
 ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const std::string& head,
                              int gear, const std::vector<const Member*>& members) {
   ListingColumn column{

@@ -1,6 +1,5 @@
 // Tables for users, stored as texts. An answer makes each table once, in the words and units of its
-// spec. Both the terminal (job/listing.hpp) and the report (report/table_builder.hpp) print this
-// table.
+// spec. The terminal (job/listing.hpp) and the report (report/table_builder.hpp) print it.
 #pragma once
 
 #include <initializer_list>

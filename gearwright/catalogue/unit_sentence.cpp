@@ -1,7 +1,6 @@
-// Converts sentences of the program, which are written in mm, to inch. Numbers and keys are
-// converted. Every length in a sentence has its own unit, as in "1 mm, 2 mm and 5 mm". A module
-// stays in mm. A no-break space precedes the unit of a module, so the search for units does not
-// find it.
+// Converts numbers and keys in sentences of the program, which are written in mm, to inch. Every
+// length in a sentence has its own unit, as in "1 mm, 2 mm and 5 mm". A module stays in mm. A
+// no-break space precedes the unit of a module, so that the search for units does not find it.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -126,8 +126,7 @@ double value_in(UnitSystem units, Unit unit, double value) {
 int digits_in(UnitSystem units, Unit unit, int digits) {
   const UnitPair* pair = pair_of(units, unit);
   if (!pair) return digits;
-  // True if the unit of the inch system is larger than the metric unit. For example, 1 in is larger
-  // than 1 mm.
+  // True if the inch unit is larger than the metric unit, as 1 in is larger than 1 mm.
   const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;
   return std::max(0, digits + (larger ? 1 : -1));
 }

@@ -65,10 +65,10 @@ std::string key_in(UnitSystem units, std::string_view key);
 /// becomes "face_width_mm".
 std::string metric_key(std::string_view key);
 
-/// Returns a sentence in this system. The function converts names of keys, and numbers before " mm"
-/// or " µm" or after "key = ". If the sentence is about a key with the unit `of`, it also converts
-/// numbers without a unit after "between", "than", "least" and similar words. A second call changes
-/// nothing.
+/// Returns a sentence in this system. The function converts names of keys, numbers before " mm" or
+/// " µm", and numbers after "key = ". If the sentence is about a key with the unit `of`, numbers
+/// without a unit after "between", "than", "least" and similar words are also converted. A second
+/// call changes nothing.
 std::string sentence_in(UnitSystem units, std::string_view sentence, const KeyUnit* of = nullptr);
 
 /// Converts a text of numbers in this unit, such as "[99, 101]", to the unit that replaces it.

@@ -34,8 +34,8 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
 }
 
 /// Returns the center at which the function is least. The first center is `center`. The search ends
-/// after kMostCenters models, when the lowest point of a model is better than the center by at most
-/// `gain`, or when the reach is below kLastReach.
+/// after kMostCenters models, or when the reach is below kLastReach. It also ends when the lowest
+/// point of a model is better than the center by at most `gain`.
 ///
 ///   model_at(center)               the model that is exact at the center
 ///   value(model, v)                the value of the model at v

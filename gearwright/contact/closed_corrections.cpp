@@ -25,8 +25,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// Returns the slope dTE/dφ1 in the middle of the mesh of tooth pair 0 after a change of the lead
-// angle of `gear` by `delta_lambda`.
+// Changes the lead angle of `gear` by `delta_lambda`, and returns the slope dTE/dφ1 in the middle
+// of the mesh of tooth pair 0.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;

@@ -15,22 +15,22 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when the relative change of f is below kLastGain, or when the change of f is below
-// kLastGain_rad, which is a hundredth of kSameError.
+// A search ends when the change of f is below kLastGain · f or below kLastGain_rad, which is a
+// hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// This value replaces f if contact is lost, rad. It is far above all other values of f. It is
-// finite, because the optimiser requires finite values.
+// This value replaces f if contact is lost, rad. It is far above all other values of f. The
+// optimiser requires finite values, so infinity is not used.
 constexpr double kLost = 1e3;
 // If a task has an aim, kAimLastGain · CompensationAim::same replaces kLastGain_rad, and kAimLost ·
 // CompensationAim::same replaces kLost.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// The cost of each radian by which the peak to peak exceeds its limit. The cost of the pattern
-// without corrections is added as well. Corrections that exceed the limit are therefore never
-// better than no corrections. f still decreases as the peak to peak approaches the limit.
+// The penalty, per radian, for a peak to peak above its limit. The cost of the pattern without
+// corrections is also added, so corrections that exceed the limit are never better than no
+// corrections. f still decreases as the peak to peak approaches the limit.
 constexpr double kOverLimit = 100.0;
 
-// Evaluates the function that is minimised. This is the aim of the task, or f if there is no aim.
+// Evaluates the function that is minimised, which is the aim of the task, or f if there is no aim.
 class Judge {
  public:
   using Model = std::function<double(const std::vector<double>&)>;
@@ -38,7 +38,7 @@ class Judge {
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
     const ContactScore score = worst(curves(zero));
-    // If w is not given, corrections must not increase the peak to peak.
+    // If the caller does not give the weight w, corrections must not increase the peak to peak.
     if (!task.centering && !score.lost)
       limit_ = std::max(kQuiet, score.span_or_sampled() + 0.5 * kSameError).rad();
     centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
@@ -83,8 +83,7 @@ class Judge {
   }
   bool uses_model() const { return static_cast<bool>(model_); }
 
-  // Descents from several starts evaluate the same corrections repeatedly, so value() stores
-  // results.
+  // value() stores results, because descents from several starts evaluate the same corrections.
   double value(const std::vector<double>& v) {
     const auto [known, is_new] = known_.try_emplace(v, 0.0);
     if (is_new) known->second = computed(v);
@@ -92,9 +91,9 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  // The values of these three functions apply to f, or to the aim if there is one. same() returns
-  // the smallest relevant difference, last_gain() the difference at which a search ends, and lost()
-  // the value if contact is lost.
+  // These three functions refer to f, or to the aim if there is one. same() returns the smallest
+  // relevant difference, last_gain() the difference at which a search ends, and lost() the value if
+  // contact is lost.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
@@ -198,7 +197,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
-// The fraction of the gain that rounding a value, or setting a value to 0, may lose.
+// Rounding a value, or setting a value to 0, may lose this fraction of the gain.
 constexpr double kPartLost = 0.01;
 
 // The best corrections so far, and the value of f (or of the aim) for them.
@@ -245,9 +244,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
 }
 
 // Works like searched(), but evaluates the estimate of the aim instead of the aim. The search is
-// then repeated around the best corrections, with the estimate that is exact for these corrections.
-// If the aim has no estimate, or if its value without corrections is not finite, searched() is
-// used.
+// then repeated around the best corrections, with the estimate that is exact for them. Without an
+// estimate, or if the aim without corrections is not finite, searched() is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
@@ -351,8 +349,8 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
-// Moves a bound towards 0 if no teeth exist with this correction at its bound and all other
-// corrections at 0. Without this step, most trials of the search would have no teeth.
+// If no teeth exist with one correction at its bound and all others at 0, the function moves this
+// bound towards 0. Otherwise, most trials of the search would have no teeth.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {

@@ -61,7 +61,7 @@ struct CompensationTask {
   /// w, the penalty for a contact pattern at the end of the face. If w is absent,
   /// default_centering() is used, and corrections must not increase the transmission error.
   std::optional<Angle> centering{};
-  /// False if q is ignored. This is useful if the contact point moves along the whole face anyway.
+  /// False if q is ignored, which is useful if the contact point moves along the whole face anyway.
   bool along_face = true;
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
@@ -79,7 +79,7 @@ struct SettingAnswer {
   std::optional<Angle> angle_nominal;    ///< θ, normal angle at the contact, without ΔC
   std::optional<Angle> angle_displaced;  ///< θ with ΔC
   std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC, after each setting
-  /// Change of the normal thickness of the tooth that F cuts, at the height of the contact.
+  /// Change of the normal thickness of the tooth that rack F cuts, at the height of the contact.
   double thickness_change;
   double backlash_change;  ///< change of the normal backlash, for the exact setting only
 };
@@ -135,7 +135,7 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
 ///
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
-/// Accuracy  a local minimum of f: the lowest one that a deterministic search of the whole box
+/// Accuracy  f is at a local minimum, the lowest one that a deterministic search of the whole box
 ///           (DIRECT) and descents from several starts find. Values are multiples of a hundredth of
 ///           `step`. If this rounding loses more than 1 % of the gain, a smaller fraction of
 ///           `step` is used. All values are 0 if the gain is below kSameError. Without an aim, a

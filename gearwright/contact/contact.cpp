@@ -60,8 +60,8 @@ bool jams(Angle least_play, const Gear& moved) {
 
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track) {
-  // If gear 2 drives, a rotation in the frame N has the opposite sign of the rotation in the
-  // housing. The first position in N is therefore the last position in the housing.
+  // If gear 2 drives, a rotation in the frame N (contact_pair.hpp) has the opposite sign of the
+  // rotation in the housing. The first position in N is therefore the last position in the housing.
   const ContactPair& pair = transmission.pair();
   const double from = pair.gear2_drives() ? -first - (n - 1) * (pair.pitch() / n) : first;
   if (track) *track = detail::LaneTrack::of(transmission, from, n);

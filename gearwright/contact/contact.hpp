@@ -60,13 +60,12 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 ///
 /// Formula   the product of play and r cos β is the normal backlash at the reference cylinder,
 ///           j_n cos α_wn/cos α_n. It differs from j_n by at most 8 % (α_n = 20°, α_wn from 15° to
-///           30°), so it is compared with a limit for j_n. The base circle backlash j_bn is the
-///           product times cos α_n, so this limit is not a limit of j_bn
+///           30°), so no_backlash(), a limit for j_n, also applies to the product
 bool jams(Angle least_play, const Gear& moved);
 
 /// Returns the touches at n positions over one pitch. At position i, the rotation of gear 1 in the
-/// housing is `first` + i pitch/n. If `track` is not null, the function stores the result of
-/// LaneTrack::of() there and, if this result exists, returns its touches.
+/// housing is `first` + i pitch/n. If `track` is not null, it receives the result of
+/// LaneTrack::of(). If this result exists, its touches are returned.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track = nullptr);
 

@@ -27,8 +27,8 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   return End::seam;
 }
 
-// The two parts of the twist of a gear's teeth in the frame N: the twist of the lead, including the
-// error of the cutter's lead angle, and the additional twist κ of a lead error.
+// Returns two parts of the twist of a gear's teeth in the frame N: the twist of the lead, including
+// the error of the cutter's lead angle, and the twist κ of a lead error.
 std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
   const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
   return {mirror * lead, mirror * e.helix_twist[i]};
@@ -178,8 +178,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
       // The borders of the field and of the profile differ by the rounding of ln ρ. A cell that
-      // overlaps this piece of the profile only by this difference belongs to the neighbouring
-      // piece.
+      // overlaps this piece of the profile by this difference only belongs to the next piece.
       constexpr double kSameBorder = 1e-12;  // in u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {

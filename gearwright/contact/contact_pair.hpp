@@ -104,13 +104,11 @@ class ContactPair {
   Vec3 in_housing(const Complex& w1, double z) const;
   /// Converts a vector from the frame N to the housing frame.
   Vec3 in_housing(const FreeVector<World>& v) const;
-  /// Returns `direction`, a direction in the housing, after errors have tilted it together with
-  /// axis 1.
+  /// Returns `direction`, given in the housing, after errors have tilted it together with axis 1.
   Vec3 tilted(const Vec3& direction) const;
   /// Rotates vectors from the frame of gear 1, before mounting, to the frame N.
   const LinearMap<World, Axis1>& tilt() const { return tilt_; }
-  /// −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1. This is σ of
-  /// ContactMount.
+  /// σ of ContactMount: −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1.
   double mirror() const { return internal_ ? -1.0 : 1.0; }
   /// −1 if z in the frame N is −z in the housing, otherwise 1.
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }

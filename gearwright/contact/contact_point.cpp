@@ -11,8 +11,8 @@ namespace {
 
 using End = FlankPatch::End;
 
-// Returns the kind of touch at bound j of D (touch.hpp). Returns none if another patch of the same
-// flank begins there.
+// Returns the kind of touch at bound j of D, the part of flank 1 opposite flank 2 (touch.hpp).
+// Returns none if another patch of the same flank begins at this bound.
 TouchKind kind_of(const GapField& field, int j) {
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();
@@ -47,14 +47,14 @@ TouchKind kind_of(const GapField& field, const detail::ActiveSet& set) {
   return second == TouchKind::none ? first : TouchKind::corner;
 }
 
-constexpr double kOnBound = 1e-12;  // scaled: rounding error of a point on a bound
+constexpr double kOnBound = 1e-12;  // rounding error of a point on a bound, as a scaled length
 
 struct Place {
   double s, z;
 };
 
-// Follows the straight line through the touch along which T has the least curvature, and finds the
-// part of this line on which the flanks stay in contact.
+// Follows the straight line through the touch along which the gap field T has the least curvature,
+// and finds the part of this line on which the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -117,7 +117,7 @@ class LineWalk {
 
   // Returns the greatest multiple of kStep, at most kMost, up to which the line lies inside D.
   double last_inside(int sense) const {
-    constexpr double kMost = 4.0;  // in half lengths of the patch; longer than its diagonal
+    constexpr double kMost = 4.0;  // half lengths of the patch, longer than its diagonal
     constexpr double kStep = 0x1p-48;
     // Each bound is nearly linear along the line, so secants find the first bound that is crossed.
     double before = 0.0, t = 1.0;
@@ -136,8 +136,7 @@ class LineWalk {
       const auto c = bounds(at(sense * x));
       return x == 0.0 || (x < kMost && *std::min_element(c.begin(), c.end()) >= 0.0);
     };
-    // The bracket begins with one step around t. It grows until it contains the border of D, and is
-    // then bisected.
+    // The bracket begins with one step around t. It grows until it contains the border of D.
     double lo = kStep * std::floor(t / kStep), hi = lo + kStep;
     for (double step = kStep; !inside(lo); step *= 2) lo = std::max(0.0, (hi = lo) - step);
     for (double step = kStep; inside(hi); step *= 2) hi = (lo = hi) + step;
@@ -157,8 +156,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// True if a bound is active with a positive multiplier. The touch is then at an edge. This is true
-// even if the whole length of the edge touches.
+// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the
+// whole length of the edge touches.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   const Touch& t = touch.touch;

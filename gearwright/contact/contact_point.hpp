@@ -31,11 +31,11 @@ enum class TouchKind {
   corner
 };
 std::string_view to_string(TouchKind kind);
-/// True for the edges of a tooth, at which no contact should occur. The start of a relief is no
+/// True for the edges of a tooth, where no contact should occur. A start of a relief is not an
 /// edge.
 bool is_edge(TouchKind kind);
-/// True for edges and for ridges. The slope of the surface jumps there. There is no contact
-/// ellipse, and a computed pressure is only a lower bound of the actual pressure.
+/// True for edges and for ridges, where the slope of the surface jumps. A touch of this kind has no
+/// contact ellipse, and a computed pressure is only a lower bound of the actual pressure.
 bool is_sharp(TouchKind kind);
 
 /// If the gap along a line stays below this value, mm, the line counts as a contact line. Real
@@ -92,8 +92,7 @@ struct ContactPoint {
 /// True if a touch lies at a seam and T rises beyond it. Such a touch is not a point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
-/// True if an edge of a tooth touches. This test is faster than is_edge() of the kind from
-/// describe().
+/// True if an edge of a tooth touches. This test is faster than describe() followed by is_edge().
 bool on_edge(Transmission& transmission, const PairTouch& touch);
 
 /// Describes a touch.

@@ -29,8 +29,8 @@ Interval face_of(const ContactPair& pair, int gear) {
 }
 
 // Returns the middle of the contact pattern at one position, relative to the common part of the
-// faces. The gap along the contact line is a parabola with the slope and the curvature of T at the
-// touch. The middle is the mean height with the weight exp(−gap/kPatternGap).
+// faces. The gap along the contact line is a parabola with the slope and the curvature of the gap
+// field T at the touch. The middle is the mean height with the weight exp(−gap/kPatternGap).
 double pattern_middle(Transmission& transmission, const PairTouch& t,
                       const std::array<Interval, 2>& faces) {
   const GapJet j = transmission.jet_at(t, t.touch.s, t.touch.z);

@@ -67,9 +67,8 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target).score;
 }
 
-/// Replaces each number of `worst` by the corresponding number of `score` if that number is worse.
-/// Positions are compared by magnitude and keep their sign. A pair without contact is worse than
-/// all others.
+/// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions are
+/// compared by magnitude and keep their sign. A pair without contact is worse than all others.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

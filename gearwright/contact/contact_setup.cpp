@@ -24,7 +24,7 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
   const double r2 = setup.gear(2).actual_tip_radius();
   const double a = setup.place().center_distance + errors.center_distance;
   const double side = setup.gear(2).side();
-  const double apart = side * (a - r2) - r1;  // of the two tip circles
+  const double apart = side * (a - r2) - r1;  // distance between the tip circles, mm
   const bool exact = errors == ContactErrors();
   const std::string closer = side < 0.0 ? "a greater centre distance" : "a smaller centre distance";
   if (apart >= 0.0) {

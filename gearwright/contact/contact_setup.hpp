@@ -89,16 +89,15 @@ class ContactSetup {
 /// this relief may be 0.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
-/// Returns an error if the lead angle of the cutter cannot change by this amount, and otherwise
-/// none.
+/// Returns an error if the lead angle of the cutter cannot change by this amount.
 ///
 /// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter,
 ///           or if the lead angle is not between kMinLead and kMaxLead
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// Converts an error in the modifications of a flank to an error of gear `which`. If `side` is 0,
-/// the error is one of the right flank.
+/// Converts an error in the modifications of a flank to an error of gear `which`. `side` is 0 for
+/// the right flank and 1 for the left flank.
 Error of_flank(int which, int side, Error error);
 
 /// The usable flank of a gear, to which its modifications apply.
@@ -113,8 +112,7 @@ FlankExtent flank_extent(const Gear& gear);
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// True if the cause of the error is that the teeth touch at no position, or that a gear has no
-/// usable flank.
+/// True if the cause of the error is a gear without usable flank, or teeth that never touch.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

@@ -12,14 +12,14 @@ namespace gearwright {
 namespace {
 
 constexpr int kHalvings = 16;    // bisections that find the end of a branch to 1.5e-5 of a step
-constexpr double kSame = 1e-13;  // rad: values of TE that differ by less than this are equal
-constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
+constexpr double kSame = 1e-13;  // values of TE that differ by less than this, rad, are equal
+constexpr double kFlat = 1e-12;  // accuracy of TE at a handover or an extreme, rad
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
 // Touches on different crests are farther apart than this fraction of the patch.
 constexpr double kNear = 0.08;
-// The curve of TE between the positions. A branch leads at a rotation if its T is the greatest
-// there. The curve is computed from the branches that lead at the positions.
+// The curve of TE between the positions. A branch (continuous.hpp) leads at a rotation if its T is
+// the greatest there. The curve is computed from the branches that lead at the positions.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -29,15 +29,15 @@ class Branches {
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // Returns the touch at position i. If i lies outside the pitch, the function returns the touch of
-  // the equivalent position within the pitch, which has the number of another tooth pair.
+  // Returns the touch at position i. If i lies outside the pitch, the function returns the touch at
+  // the equivalent position within the pitch. At position i, another tooth pair has the same touch.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // Returns the rotation of gear 1 at a touch from at(). The touch of a position outside the pitch
-  // belongs to the equivalent position within the pitch, and so does the result.
+  // Returns the rotation of gear 1 at a touch from at(). If the position lies outside the pitch,
+  // the result is the rotation at the equivalent position within the pitch.
   double rotation(const PairTouch& touch) const {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
@@ -45,8 +45,8 @@ class Branches {
   // Returns the touch on the branch of `touch` at the rotation that is `steps` later. If this
   // branch has no contact there, found() of the result is false.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // Works like the function above, but starts the search at `start`. This is a touch of the same
-  // branch, and it is nearer to the result than `touch`.
+  // Works like the function above, but starts the search at `start`, a touch of the same branch
+  // that is nearer to the result than `touch`.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);
@@ -66,8 +66,7 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // Returns the fraction of the rotation `way` (in steps) over which the branch of `touch`
-  // continues.
+  // Returns the fraction of the rotation `way`, in steps, over which the touch's branch continues.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -103,8 +102,8 @@ class Branches {
     const auto ahead_at_lo = ahead_in(begin), ahead_at_hi = ahead_in(end);
     if (!ahead_at_lo || !ahead_at_hi) return std::nullopt;
     double at_lo = *ahead_at_lo, at_hi = *ahead_at_hi;
-    // TE jumps if T of a branch exceeds T of the other branch at the point where it begins or ends.
-    // The least TE is then the value on the low side of the jump.
+    // TE jumps if a branch begins or ends with a T greater than that of the other branch. The least
+    // TE is then the value on the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
     if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;
@@ -120,8 +119,8 @@ class Branches {
   }
 
   // Returns the touches of both branches at the handover between i and i + 1. A third branch, which
-  // leads at position i − 1 or i + 2, may have a greater T there than these two branches. In this
-  // case, the touch of the third branch replaces both touches.
+  // leads at position i − 1 or i + 2, may have a greater T at the handover. In this case, the touch
+  // of the third branch replaces both touches.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const auto found = handover(at(i), at(i + 1), 1.0);
     if (!found) return std::nullopt;

@@ -1,5 +1,4 @@
-// Computes the least and the greatest transmission error over all rotations, from touches at some
-// positions.
+// Computes the extremes of the transmission error over all rotations from touches at some of them.
 //
 //   T, N       gap field of two flanks (gap_field.hpp) and frame N (contact_pair.hpp)
 //   T_a, T_b   two branches. A branch is the greatest T of one tooth pair as a function of the
@@ -11,9 +10,9 @@
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
 // handover, where T_a = T_b. TE jumps if a branch begins with a greater T than all others.
 //
-// The greatest minus the least value at the positions is too small. The missing part depends on
-// where the handovers lie between the positions, and is at most half of the change of TE within a
-// step.
+// If only the values at the positions are used, the greatest minus the least TE is too small. The
+// missing part depends on where the handovers lie between the positions. It is at most half of the
+// change of TE within a step.
 #pragma once
 
 #include <array>

@@ -36,8 +36,8 @@ struct WorkshopCorrection {
 /// lead requires a helical gear cut by a rack. A relief requires a reach on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The usual corrections: tool setting and cutter lead for circular arcs, otherwise lead slope and
-/// lead crowning of gear 1.
+/// Returns the usual corrections. These are tool setting and cutter lead for circular arcs, and
+/// lead slope and lead crowning of gear 1 for other teeth.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
 /// The change of the setup for these values, which are in the units of the corrections.
@@ -45,9 +45,8 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// Returns the influence that corresponds to a correction, for derivatives with respect to the
-/// correction. Returns none for a tool setting or a cutter lead, which remove no material from the
-/// flanks.
+/// Returns the influence that corresponds to a correction, for derivatives with respect to it.
+/// Returns none for a tool setting or a cutter lead, which remove no material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
 /// Returns the influences of all corrections, or none if a correction has no influence_of().

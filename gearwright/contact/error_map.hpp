@@ -16,8 +16,7 @@ struct ErrorMap {
 };
 
 /// Returns the map of the peak to peak of TE. `te_at(x, y)` must return TE over a pitch under the
-/// errors x and y, rad, as transmission_error() does. Several threads call `te_at` at the same
-/// time.
+/// errors x and y, rad, as transmission_error() does. Several threads call it at the same time.
 ///
 /// Units     rad
 /// Domain    x and y not empty (contract); `threads` 0 means one per core

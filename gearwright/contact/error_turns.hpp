@@ -16,8 +16,9 @@ namespace gearwright::detail {
 
 struct Crossed {};  ///< the frame N after the rotation Δγ
 
-/// The rotation about x with the cosine c and the sine s, if `along` is 1. The derivative of this
-/// rotation has `along` = 0, c = −sin and s = cos. The same holds for intersecting_turn().
+/// Returns the matrix of a rotation about x, with `along` = 1 and the cosine c and the sine s of
+/// the angle. If `along` = 0, c = −sin and s = cos, the result is the derivative of this matrix.
+/// intersecting_turn() has the same arguments.
 template <class To, class From>
 LinearMap<To, From> crossing_turn(double along, double c, double s) {
   Mat3 m;

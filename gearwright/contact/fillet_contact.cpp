@@ -7,12 +7,11 @@ namespace gearwright {
 
 namespace {
 
-// If `early` is below this limit, it is a rounding error, for example where a fillet continues the
-// flank.
+// If `early` is below this limit, it is a rounding error, as where a fillet continues the flank.
 constexpr double kTouching = 1e-8;  // mm
 
-// The number of rotations is limited for two reasons. A position with fillets takes several times
-// as long as a position without fillets. The user may request up to 10⁶ positions.
+// The number of rotations is limited, because the user may request up to 10⁶ positions, and a
+// position with fillets takes several times as long as a position without fillets.
 constexpr std::size_t kMaxRotations = 64;
 
 // Returns the arm about axis 2 of the normal at the touch, mm.

@@ -2,8 +2,7 @@
 //
 // If a tip meets the fillet of the mating gear before the flanks touch, the flanks alone give a
 // wrong transmission error TE. The search [T8.2] is therefore repeated with the fillets as
-// additional patches, and gives TE_f ≥ TE. From the difference follows the gap that remains between
-// the flanks:
+// additional patches. It gives TE_f ≥ TE. The difference gives the gap between the flanks:
 //
 //   early = (TE_f − TE) h   mm, where h is the arm of the normal at the touch about axis 2, mm
 #pragma once
@@ -25,8 +24,7 @@ struct FilletContact {
 struct FilletContacts {
   std::vector<std::size_t> asked;   ///< examined positions, as indices of `flanks`
   std::vector<ContactPoint> whole;  ///< contact of the whole outlines at these positions
-  /// The contact with the greatest `early`. None if the flanks touch first at all examined
-  /// positions.
+  /// The contact with the greatest `early`; none if the flanks touch first at all positions.
   std::optional<FilletContact> earliest;
 };
 

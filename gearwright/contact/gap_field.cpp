@@ -13,8 +13,9 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The rotation m = −c k C of a flank due to the material C removed from it, with the derivatives of
-// m with respect to u and z. [T8.7]
+// Returns the rotation m = −c k C of a flank due to the material C that is removed from it, with
+// the derivatives of m with respect to u and z. c is the side of the flank, and k is
+// TurnPerRemoval. [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);
   const TurnPerRemoval k = f.profile.turn_per_removal(s);
@@ -129,7 +130,8 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w_s = across(d[0]);
   j.w_z = across(d[1]) + from_z_;
   j.Z = {place.Z, along(d[0]), along(d[1]) + r(2, 2), along(d[2]), along(d[3]), along(d[4])};
-  // L = ln w, or −w/r on a rack. The real part is u, and the imaginary part is the azimuth.
+  // L = ln w, or −w/r on a rack, where w is the point in the frame of gear 2. The real part is u,
+  // and the imaginary part is the azimuth.
   const bool rack = rack_radius_ > 0.0;
   const double height = -j.w.real();
   if (rack) j.w = -rack_radius_;

@@ -104,8 +104,7 @@ class GapField {
     double Z;   ///< mm, along the axis
   };
   Place2 on_gear_2(const Complex& w1, double z) const;
-  /// Returns T, without derivatives, at a point that is given in the frame of gear 2. See at() for
-  /// `s2`.
+  /// Returns T without derivatives at a point in the frame of gear 2. See at() for `s2`.
   double value(const Place2& place, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle, 1/|∇φ2*|, mm. [T8.3], on a rack [T8.30]
   static double arm(const GapJet& j);
@@ -133,8 +132,7 @@ struct GapForm {
 };
 
 /// The quadratic form of the gap. `r_s` and `r_z` are the derivatives of the point of flank 1 with
-/// respect to s and z, in any frame, and `e1`, `e2` are an orthonormal basis of the tangent plane
-/// in that frame.
+/// respect to s and z, and `e1`, `e2` are an orthonormal basis of the tangent plane, in any frame.
 GapForm gap_form(const GapJet& j, const Vec3& r_s, const Vec3& r_z, const Vec3& e1, const Vec3& e2);
 
 }  // namespace gearwright

@@ -17,7 +17,7 @@ namespace {
 
 Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
-// Returns the factor, 1 or −1, by which the mirror image multiplies an error of the pair.
+// Returns the factor, 1 or −1, by which an error of the pair changes in the mirror image.
 double mirror_sign(ErrorKind kind) {
   const bool turns =
       kind == ErrorKind::crossing || kind == ErrorKind::intersecting || kind == ErrorKind::axial;

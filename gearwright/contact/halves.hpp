@@ -88,13 +88,13 @@ struct HalvesContact {
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
-  /// Returns the positions of half A, followed by the positions of the mirror image of half B. The
-  /// verdict thereby judges both halves.
+  /// Returns the positions of half A, followed by the positions of the mirror image of half B. A
+  /// verdict on the result covers both halves.
   ContactResult on_halves() const;
 };
 
 /// Analyses the contact of both halves and of the whole gears. The derivatives of both halves refer
-/// to the errors of the whole pair. They do not refer to the errors of the mirror image.
+/// to the errors of the whole pair, and not to those of the mirror image.
 ///
 /// Formula   [T8.27]
 /// Domain    as for a ContactPair

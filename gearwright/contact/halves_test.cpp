@@ -99,8 +99,8 @@ TEST(Halves, AnOutOfPlaneDeviationTurnsTheCentreLine) {
     p.place.middle = {z, z};
     p.place.errors.crossing = Angle::radians(g);
     const auto there = continuous_span(p.pair(), 64);
-    // The axis through (0, z sin γ, z cos γ) along (0, sin γ, cos γ), seen from a frame that turns
-    // with the line of centres at height z.
+    // The axis has the direction (0, sin γ, cos γ) and passes through (0, z sin γ, z cos γ). It is
+    // seen from a frame that turns with the line of centres at height z.
     const double a = p.place.center_distance;
     const double y = z * std::sin(g);
     const double turn = std::atan2(y, a);

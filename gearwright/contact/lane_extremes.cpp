@@ -12,12 +12,12 @@ namespace gearwright::detail {
 
 namespace {
 
-// rad: the search for an extreme ends when T differs by less than this angle from the extreme.
+// The search for an extreme ends when T differs from the extreme by less than this angle, rad.
 constexpr double kFlatLane = 1e-12;
-// Steps: the search for a handover ends at this distance from the handover. T is then extrapolated.
+// The search for a handover ends at this distance from it, in steps. T is then extrapolated.
 constexpr double kLastStep = 1e-6;
-// rad: at a handover between two tooth pairs, a third pair may have the greatest T if its estimated
-// T is less than this angle below the T of the two pairs.
+// At a handover between two tooth pairs, a third pair may have the greatest T if its estimated T is
+// below the T of the two pairs by less than this angle, rad.
 constexpr double kClose = 1e-7;
 constexpr int kMostRounds = 30;  // two are usual
 constexpr int kNewton = 5;       // rounds with Newton steps; later rounds use within()
@@ -67,8 +67,7 @@ struct LaneTrack::Candidate {
   int stays = 0;
   bool done = false;
 
-  // If the same end stays in two successive steps, the value at this end is halved (Illinois
-  // method).
+  // If the same end stays in two successive steps, its value is halved (Illinois method).
   void narrow(bool low, const End& here) {
     (low ? lo : hi) = here;
     const int stayed = low ? 1 : -1;
@@ -76,8 +75,7 @@ struct LaneTrack::Candidate {
     stays = stayed;
   }
   // Returns the next t, within the interval. Near an extreme, T may consist of two nearly straight
-  // lines that meet at a kink. The next t is therefore the point at which the tangents at both ends
-  // cross.
+  // lines that meet at a kink. The next t is therefore the crossing of the tangents at both ends.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;
@@ -126,10 +124,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
                    {0.0, a.at(0) - b.at(0), {*at(m), *at(other)}},
                    {1.0, a.at(1) - b.at(1), {*at(m + 1), *at(other + 1)}}});
   }
-  // TE is the greatest T of all branches, so no maximum of a branch exceeds the maximum of TE.
-  // Every maximum of a branch can therefore be examined. A minimum is examined only if the branch
-  // has the greatest T at both positions. The tangents at both positions cross at some T. If this T
-  // does not exceed the extremes found so far, the extreme is skipped.
+  // TE is the greatest T of all branches. A maximum of a branch therefore never exceeds the maximum
+  // of TE, and all maxima are examined. A minimum is examined only if the branch has the greatest T
+  // at both positions. The tangents at both positions cross at a T that bounds the extreme. If this
+  // T lies between the least and the greatest value found so far, the extreme is skipped.
   for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
     if (!at(m) || !at(m + 1)) continue;
     const Cubic c = cubic(m);

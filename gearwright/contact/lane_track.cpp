@@ -10,13 +10,12 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kRough = 1e-7;  // rad, margin for the comparison of T of two tooth pairs
+constexpr double kRough = 1e-7;  // rad, margin for comparing the gap field T of two tooth pairs
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes. The centre distance may have an error, but
-// there are no other errors. At a fixed z, the parameter s of the line changes by the angle by
-// which gear 1 turns.
+// The line of contact of involutes on parallel axes whose only error is one of the centre distance.
+// At a fixed z, the roll angle s of the line changes by the angle through which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // part of flank 1 that faces flank 2
@@ -76,8 +75,7 @@ struct LaneTrack::Path {
     open = true;
   }
 
-  // Returns the middle of the line of contact, or none if the rotation lies outside the path of
-  // contact.
+  // Returns the middle of the line of contact, or none outside the path of contact.
   std::optional<std::array<double, 2>> middle(double phi) const {
     double a = s_lo, b = s_hi;
     if (phi_z != 0.0) {
@@ -152,8 +150,7 @@ void LaneTrack::offer(int m, const PairTouch& t) {
   b.pair = (i - m) / n_;
 }
 
-// Returns the start of a search between a and b, at the fraction `part` of the distance from a to
-// b.
+// Returns the start of a search between a and b, at the fraction `part` of their distance.
 PairTouch LaneTrack::start_between(const PairTouch& a, const PairTouch& b, double part,
                                    double phi) const {
   PairTouch t = part < 0.5 ? a : b;
@@ -262,8 +259,7 @@ std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const
 
 // Returns the touch from which the search at position m starts. Its s and z come from the cubic
 // through four rough touches around m if these touches have the same active bounds. Otherwise, they
-// come from the two nearest rough touches. If there is no rough touch near m, the result is not
-// found().
+// come from the two nearest rough touches. Without such touches, the result is not found().
 PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
   const int last = static_cast<int>(rough.touches.size()) - 1;
   const int k = std::clamp((m - rough.from) / rough.stride, 0, last);
@@ -310,8 +306,8 @@ void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& wind
 }
 
 // Continues the track of a tooth pair in one direction. The track ends, as in Transmission, when T
-// of this tooth pair has decreased from one position to the next and is more than kRough below the
-// greatest T of all tooth pairs at that position.
+// of this tooth pair decreases from one position to the next. T must then also be more than kRough
+// below the greatest T of all tooth pairs at that position.
 void LaneTrack::extend(int direction) {
   const int most = transmission_->farthest_pair_ * n_;
   const int last = direction > 0 ? lo_ + static_cast<int>(track_.size()) - 1 : lo_;

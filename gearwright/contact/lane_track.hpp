@@ -52,7 +52,7 @@ class LaneTrack {
   LaneSearch search_;
   double first_, step_;
   int n_, lo_ = 0, whole_ = 0;
-  std::vector<PairTouch> track_;  // of tooth pair 0, from position lo_ on
+  std::vector<PairTouch> track_;  // touches of tooth pair 0, from position lo_ on
   std::vector<PairTouch> best_;
 };
 

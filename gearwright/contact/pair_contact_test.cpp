@@ -46,8 +46,8 @@ TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
 }
 
 // The backlash j_t on the working pitch cylinders is the pitch minus both tooth thicknesses. The
-// play of gear 2, found by turning its flanks, is j_t/r_w2. jams() compares the product
-// j_t cos β_w times r cos β/(r_w cos β_w) with its limit, and not j_bn = j_t cos α_wt cos β_b.
+// play of gear 2, found by turning its flanks, is j_t/r_w2. jams() compares the product j_t cos β_w
+// · r cos β/(r_w cos β_w) with its limit. It does not compare j_bn = j_t cos α_wt cos β_b.
 TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
   for (const auto& [z2, helix_deg] :
        {std::pair{41, 0.0}, {41, 15.0}, {41, 30.0}, {-61, 0.0}, {-61, 15.0}}) {

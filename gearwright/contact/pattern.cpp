@@ -65,9 +65,9 @@ struct Seen {
   bool near = false;        // true if u and Z were computed
 };
 
-// usually two or three Newton steps, and one more if the point lies on the next patch
+// Two or three Newton steps are usual. One more step is needed if the point lies on the next patch.
 constexpr int kMaxPlaceSteps = 8;
-constexpr double kNearPatch = 1e-4;  // relative to the patch; the series holds for shorter steps
+constexpr double kNearPatch = 1e-4;  // the series is valid for steps below this part of the patch
 
 class Rasterer {
  public:
@@ -90,7 +90,7 @@ class Rasterer {
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
-    constexpr double kSlack = 0.05;  // rad: margin for errors of mounting and modifications
+    constexpr double kSlack = 0.05;  // margin for errors of mounting and modifications, rad
     bool any = false;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double off = nodes_[i].azimuth + pair_.rotation_sign() * phi - pair_.mesh_azimuth();
@@ -269,8 +269,7 @@ class Rasterer {
   }
 
   // If the middle of three successive gaps is the least, the minimum of the parabola through the
-  // three gaps is used. Gaps of different patches are not combined, because the gap jumps between
-  // patches.
+  // three gaps is used. Gaps of different patches are not combined, because the gap jumps there.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {

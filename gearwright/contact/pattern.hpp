@@ -33,8 +33,8 @@ struct RasterSize {
 ///
 /// Accuracy  between positions, the gap is interpolated by the parabola through three positions. If
 ///           the contact moves at constant speed, the gap is exact. Otherwise, the error is some nm
-///           with 64 positions per pitch. If the gap at a point is least at the moment at which the
-///           point begins to lie opposite the mating flank, the gap at the next position is used
+///           with 64 positions per pitch. If the gap at a point is least when the point begins to
+///           lie opposite the mating flank, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},

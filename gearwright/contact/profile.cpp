@@ -96,7 +96,7 @@ RadialJet Profile::between_ends(const TrochoidPiece& piece, double u, double& s)
   // steps, because otherwise a step may jump to the other end of the circle. The squares of the
   // radii are compared, so that no logarithm is needed near the solution.
   constexpr int kMax = 60;
-  constexpr double kClose = 1e-8;  // in u; the series covers a smaller remainder
+  constexpr double kClose = 1e-8;  // greatest remainder of u for which the series is used
   // Below this limit of |x|, three terms of the logarithm have an error of x⁴/8 ≤ 1.3e-17.
   // Here, x = (ρ/ρ_s)² − 1, and ρ_s is the radius at s.
   constexpr double kSmall = 1e-4;
@@ -139,7 +139,8 @@ RadialJet Profile::between_ends(const RadialPiece& piece, double u, double&) con
   r.factor = with_side({p.point.x(), p.point.y()}, side_);
   r.phase = 0.0;
   r.d1 = side_ * std::tan(chi);
-  // dχ/du = (κρ − sin χ)/cos χ, the same for either direction of the curve. [T8.5]
+  // dχ/du = (κρ − sin χ)/cos χ for the angle χ from the radius to the tangent. The formula is the
+  // same for either direction of the curve. [T8.5]
   r.d2 = side_ * (p.curvature * rho - std::sin(chi)) / (c * c * c);
   return r;
 }

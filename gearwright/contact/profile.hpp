@@ -64,8 +64,7 @@ class Profile {
   ///           of a rack is excluded (contract)
   PolarJet at(double s) const;
   /// Returns the outline at ln ρ = u, continued by a Taylor series of second order beyond the ends.
-  /// For rack circles, the iteration starts at `s`, the parameter from the last call, and updates
-  /// `s`.
+  /// For rack circles, the iteration starts at `s` from the last call and updates `s`.
   RadialJet at_radius(double u, double& s) const;
   /// Returns the rotation per mm of removed material at s. s must not lie far beyond the ends.
   /// [T8.7]
@@ -80,14 +79,13 @@ class Profile {
     const auto* piece = std::get_if<InvolutePiece>(&piece_);
     return piece ? piece->curve : nullptr;
   }
-  /// Returns the normal angle of the generating rack. Returns none if no circular arc of a rack cut
-  /// the piece.
+  /// Returns the normal angle of the generating rack, or none if no circular arc cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:
   struct InvolutePiece {
     const Involute* curve;
-    double sign;  // of ξ
+    double sign;  // sign of ξ
     double arm;   // r_b cos β_b  mm
   };
   struct TrochoidPiece {

@@ -60,7 +60,7 @@ CutterEdge edge_of(const CylindricalSpec& spec) {
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) {
   if (delta_lambda == 0.0) return twist;
   GW_EXPECTS(twist != 0.0);
-  // The twist is 1/(r tan λ). If λ exceeds 90°, the hand of the helix is reversed.
+  // The twist is 1/(r tan λ) for the pitch radius r. If λ exceeds 90°, the helix changes its hand.
   const double lambda = std::atan2(1.0, pitch_radius * std::abs(twist)) + delta_lambda;
   GW_EXPECTS(lambda > 0.0 && lambda < std::numbers::pi);
   return std::copysign(1.0, twist) / (pitch_radius * std::tan(lambda));

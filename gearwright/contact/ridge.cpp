@@ -22,9 +22,9 @@ Mat2d hessian(const Jet2& j) {
 }
 
 // Returns the slope and the curvatures of the gap at a touch, in the tangent plane of flank 1. If
-// the slope of T is not 0, the second derivatives of T with respect to s and z also contain the
-// curvature of the coordinate lines within the surface. This part is subtracted (Christoffel
-// symbols).
+// the slope of the gap field T is not 0, its second derivatives with respect to s and z also
+// contain the curvature of the coordinate lines within the surface. This part is subtracted
+// (Christoffel symbols).
 ContactRidge::Side side_of(const GapJet& j) {
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);

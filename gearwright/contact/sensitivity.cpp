@@ -18,8 +18,9 @@ struct Change {
   FreeVector<World> dr;                     // motion of the point per unit of e
 };
 
-// 1/w. The compiler's library divides complex numbers, on ARM with fused multiply-adds, whose last bits differ from those on
-// x86-64. This is the formula of that library, without fusing.
+// Returns 1/w. The compiler's library divides with fused multiply-adds on ARM, so its last bits
+// differ from those on x86-64. This function has the formula of that library, but without fused
+// operations.
 Complex reciprocal(const Complex& w) {
   const double x = w.real(), y = w.imag();
   if (std::abs(x) < std::abs(y)) {

@@ -75,8 +75,7 @@ struct RemovalTurn {
 /// Laws      `te` times the removal per unit of a modification is row_slope() of this modification
 RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
 
-/// Returns dTE/dφ1, rad/rad, exact. The method is that of sensitivity(), with the rotation of gear
-/// 1 as e.
+/// Returns dTE/dφ1, rad/rad, exact, by the method of sensitivity(); e is the rotation of gear 1.
 double rotation_slope(Transmission& transmission, const PairTouch& touch);
 
 }  // namespace gearwright

@@ -16,7 +16,7 @@ constexpr double kFlatTouch = 1e-14;  // rad, scaled: smaller slopes are roundin
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxTouchSteps = 80;
 constexpr double kBroken = 1e-9;       // scaled; greatest violation of a bound by a valid touch
-constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
+constexpr double kWorse = 1e-13;       // rad; rounding error of the gap field T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
 // Two touches count as one maximum if their T differs by less than kSameTe, rad, and their scaled
@@ -193,7 +193,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     t.z += d_z * kz;
   }
   t.stop = Touch::Stop::too_long;
-  // If D is empty, the steps do not converge, and a bound remains violated.
+  // If D (touch.hpp) is empty, the steps do not converge, and a bound remains violated.
   double broken = 0.0;
   for (const auto& b : p.bounds) broken = std::max(broken, -b.c);
   if (broken > kBroken) t.stop = Touch::Stop::no_room;
@@ -206,7 +206,7 @@ bool TouchSearch::window(double& z_lo, double& z_hi) const {
   z_hi = a.z_hi;
   const double at_lo = azimuth_of(field_, a.s_lo);
   const double at_hi = azimuth_of(field_, a.s_hi);
-  constexpr double kSlack = 0.05;  // rad: margin for errors of mounting and bulging profiles
+  constexpr double kSlack = 0.05;  // margin for errors of mounting and bulging profiles, rad
   const double lo = mesh_azimuth_ - reach_ - kSlack - std::max(at_lo, at_hi);
   const double hi = mesh_azimuth_ + reach_ + kSlack - std::min(at_lo, at_hi);
   if (a.twist == 0.0) return lo <= 0.0 && hi >= 0.0;
@@ -242,8 +242,8 @@ bool is_peak(const Grid& grid, int i, int k) {
   return true;
 }
 
-// Returns the row of a section from which a search starts. This is the row with the greatest value
-// inside D. If no node lies inside, it is the row nearest to D.
+// Returns the row of a section from which a search starts: the row with the greatest value inside
+// D, or, if no node lies inside D, the row nearest to D.
 int best_row(const std::array<GridNode, kRows>& section) {
   int best = 0;
   for (int k = 1; k < kRows; ++k) {
@@ -266,7 +266,7 @@ bool TouchSearch::uneven() const {
 // T varies slowly along the line of contact and rapidly across it. The maxima of T are therefore
 // first computed in each section (a line of constant z) by Newton steps along the profile. These
 // steps start at every row (a line of constant s) whose T exceeds T of both neighbouring rows. If
-// no neighbouring section has a greater maximum nearby, a search starts from the maximum.
+// no neighbouring section has a greater maximum nearby, a search starts from this maximum.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

@@ -1,6 +1,6 @@
 // Computes the point at which two flanks touch. D is the part of flank 1 that lies opposite flank
-// 2. T (gap_field.hpp) is greatest over D at this point. Newton steps within the eight bounds of D
-// find it.
+// 2. The flanks touch at the point of D at which T (gap_field.hpp) is greatest. Newton steps within
+// the eight bounds of D lead to this point.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
@@ -58,8 +58,7 @@ class TouchSearch {
   /// Searches the whole flank, from every peak of a grid and from both end sections of D.
   Touch cold() const;
   /// Returns all local maxima of the whole flank, the greatest first. Uneven flanks have a maximum
-  /// for each crest. The searches on these flanks start from the maxima over the profile at several
-  /// heights.
+  /// for each crest, so their searches start from maxima over the profile at several heights.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography or form waves, so that T may have many maxima.

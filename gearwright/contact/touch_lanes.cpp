@@ -27,7 +27,8 @@ bool all_of(bool a) { return a; }
 constexpr int kMostSteps = 12;  // six are usual for a start in the middle of the line of contact
 constexpr double kLongestStep = 0.6;
 
-// The polar angle of a flank minus arg(1 + i c ξ), as a polynomial.
+// The polar angle of a flank minus arg(1 + i c ξ), as a polynomial of the roll angle ξ and of z. c
+// is the side of the flank, ±1.
 struct FlankAngle {
   double base_radius;  // mm
   double at_0, by_xi, by_xi2, by_z, by_z2;

@@ -6,8 +6,7 @@
 //
 // Every lane does the Newton steps of TouchSearch with the active bounds of its previous step. If
 // these bounds do not give a valid step, solve_step() chooses other bounds for this lane. If a lane
-// does not converge, its touch counts as not found, and the caller searches this position
-// separately.
+// does not converge, its touch counts as not found, and the caller searches this position again.
 #pragma once
 
 #include <array>
@@ -54,13 +53,13 @@ class LaneSearch {
   /// Returns none if a flank is not an involute, or if its modifications are not polynomials.
   static std::optional<LaneSearch> of(const Transmission& transmission);
 
-  /// Searches touches of tooth pair 0. Each search starts at `touch.s` and `touch.z` with the
+  /// Searches for touches of tooth pair 0. Each search starts at `touch.s` and `touch.z` with the
   /// active bounds `touch.active`. If no touch is found, `fields` is set to −1.
   void solve(std::vector<PairTouch>& touches) const;
 
  private:
   std::vector<std::array<double, kLaneIn>> fields_;  // for each pair of patches, at rotation 0
-  std::vector<std::array<double, 2>> widths_;        // of flank 2: s_mid, and the width in u
+  std::vector<std::array<double, 2>> widths_;        // s_mid and the width in u of flank 2
   double turn1_ = 0.0, turn2_ = 0.0;                 // change of B1 and B2 per rad of φ1
 };
 

@@ -1,6 +1,5 @@
 // The vector code of contact/touch_lanes.hpp, written with Google Highway. The file is compiled
-// once for each instruction set. At run time, the program selects the best version for the
-// processor.
+// once for each instruction set. The program selects the best version at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gearwright/contact/touch_lanes_simd.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

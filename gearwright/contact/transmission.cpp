@@ -24,7 +24,7 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
 }
 
 // True if the flanks overlap beside the line of action. Such an overlap occurs for internal pairs
-// on crossed axes [T4.35]. T then has a maximum at an edge on each side of the line.
+// on crossed axes [T4.35]. The gap field T then has a maximum at an edge on each side of the line.
 bool is_saddle(const ContactPair& pair) {
   return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
 }
@@ -215,8 +215,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// For every position, the function searches from each crest that may be the highest. It estimates
-// the crests of all tooth pairs first. It begins near the centre line, where teeth usually touch.
+// For every position, searches from each crest that may be the highest. The crests of all tooth
+// pairs are estimated first, beginning near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
     detail::WaveCrests::Crest crest;
@@ -255,8 +255,7 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
     // Far beyond the path of contact, WaveCrests overestimates T. An overestimated crest may have
-    // excluded the crest that is actually the highest. In this case, at() searches the position
-    // once more.
+    // excluded the crest that is actually the highest. at() then searches the position once more.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

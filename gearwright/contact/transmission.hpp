@@ -1,5 +1,5 @@
-// Computes the transmission error (the rotation of gear 2 minus its nominal rotation), the tooth
-// pair that touches, and the point at which it touches. These are computed at each position.
+// Computes the transmission error TE (the rotation of gear 2 minus its nominal rotation) at each
+// position, with the tooth pair that touches and the point at which it touches.
 //
 //   T     greatest value of the gap field (gap_field.hpp) of tooth pair 0
 //   N     frame of contact_pair.hpp
@@ -43,16 +43,15 @@ namespace detail {
 // If several pairs have the same T within rounding, the pair nearest to the centre line is used.
 constexpr double kTogether = 1e-13;  // rad
 
-/// True if the touch `t` of pair 0 at φ has a greater T than `best` or, within rounding, the same T
-/// nearer to the centre line.
+/// True if the touch `t` of pair 0 at φ has a greater T than `best`. Also true if T is equal within
+/// rounding, and `t` is nearer to the centre line.
 bool wins(const Touch& t, double phi, const PairTouch& best);
 
 }  // namespace detail
 
 class Transmission {
  public:
-  /// Makes the transmission of a pair. The pair must outlive this object. `progress` counts every
-  /// position.
+  /// Makes the transmission of a pair, which must outlive it. `progress` counts every position.
   explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
   /// The touches at n positions over one pitch, in steps of pitch/n from `first` in frame N, rad.

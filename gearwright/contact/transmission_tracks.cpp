@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// The function follows a tooth pair until its T decreases and is below T of another pair by more
+// A tooth pair is followed until its gap field T decreases and is below T of another pair by more
 // than a limit, rad. On convex flanks, T has only one maximum, and the limit is kBelow. On other
 // flanks, another maximum may follow, and the limit is kFarBelow.
 constexpr double kBelow = 1e-5;
@@ -109,9 +109,8 @@ class Transmission::Track {
   }
 
   // Follows a touch from position m in one direction. `step` computes the touch at a rotation from
-  // a predicted touch. `known` returns true if another track contains the touch. The track ends if
-  // no touch is found, if `known` returns true, or if T decreases and is well below T of another
-  // pair.
+  // a predicted touch. The track ends if no touch is found, if another track contains the touch
+  // (`known`), or if T decreases and is well below T of another pair.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;
@@ -198,7 +197,8 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {
-    constexpr double kSamePlace = 1e-5;  // as a fraction of the patch; nearer touches are the same
+    constexpr double kSamePlace =
+        1e-5;  // distance, relative to the patch, below which touches are the same
     auto& here = passed[static_cast<std::size_t>(m + most + 1)];
     for (const Touch& p : here) {
       if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&

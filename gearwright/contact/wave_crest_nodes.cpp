@@ -1,5 +1,5 @@
-// Computes the crests of form waves at one rotation. The highest point over the profile is computed
-// at several heights z. A crest is a local maximum of these points over z.
+// Computes the crests of form waves at one rotation. The greatest value of the gap field T over the
+// profile is computed at several heights z. A crest is a local maximum of these values over z.
 #include "gearwright/contact/wave_crests.hpp"
 
 #include <algorithm>
@@ -55,8 +55,7 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   n.z = z;
   n.inside = std::min(ridge - lo, hi - ridge);
   if (lo > hi) return n;
-  // The slope of T is approximately the curvature of T at the ridge times the distance from the
-  // ridge.
+  // The slope of T is about the curvature of T at the ridge times the distance from the ridge.
   const auto bends = bend_.along_x(y);
   const double bend = bends.at(x);
   const double bend_s = (bends.c[1] + 2 * bends.c[2] * x) / s_half_;
@@ -130,7 +129,7 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
   nodes.reserve(sections_.size() + 4);
   for (const auto& [z, along] : sections_) {
     const Node next = node(phi, z, along, least);
-    // A node is added where the ridge leaves D, because the ridge has a kink there.
+    // A node is added where the ridge leaves D (touch.hpp), because the ridge has a kink there.
     if (!nodes.empty() && (nodes.back().inside > 0.0) != (next.inside > 0.0)) {
       const Node& last = nodes.back();
       const double part = last.inside / (last.inside - next.inside);
@@ -139,8 +138,7 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
     }
     nodes.push_back(next);
   }
-  // Returns T of the neighbouring node `other`, or kNone if this node is on another branch over the
-  // profile.
+  // Returns T of the neighbouring node `other`, or kNone if this node is on another branch.
   const auto te = [&](std::size_t i, std::size_t other) {
     if (other >= nodes.size() || nodes[other].outside) return kNone;
     const bool same = !steep_ || std::abs(nodes[other].aside - nodes[i].aside) < branch_;

@@ -11,7 +11,7 @@ namespace {
 
 // Limit of the search for an exact ridge. Two or three steps are usual.
 constexpr int kMaxCrestSteps = 12;
-// Limit for the last step of φ, rad. Such a step changes T by less than 1e-17.
+// Limit for the last step of φ, rad. Such a step changes the gap field T by less than 1e-17.
 constexpr double kRidge = 1e-9;
 // Greatest permitted error of the quadratic functions, relative to the amplitude of the waves.
 constexpr double kMiss = 0.01;
@@ -118,7 +118,7 @@ std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair
   path.to = std::min(one_.s_hi, greatest);
   if (!(path.from < path.to)) {
     // An edge may touch a little beyond the path of contact, where the quadratic functions are not
-    // valid. Beyond this range, the patches never touch.
+    // valid. Beyond the part of the path that kBeyondPath adds, the patches never touch.
     if (!(path.from - path.to < kBeyondPath * (greatest - least))) z_hi_ = z_lo_;
     return std::nullopt;
   }

@@ -1,6 +1,5 @@
 // Computes the points at which teeth with form waves can touch, in closed form. T has a local
-// maximum for each crest of the waves. A search of the whole flank would therefore need hundreds of
-// evaluations.
+// maximum for each crest, so a search of the whole flank would need hundreds of evaluations.
 //
 //   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
 //   ridge    for each height z, the point of the profile at which T is greatest, with this T
@@ -29,9 +28,9 @@ namespace gearwright::detail {
 class WaveCrests {
  public:
   /// Returns none if there is no wave, or if the quadratic functions are not valid. They are valid
-  /// if all of these conditions hold: the flanks are involutes without topography, the axes are
-  /// parallel, all exact ridges can be computed, and the error half way between the ridges is at
-  /// most a hundredth of the amplitude of the waves.
+  /// under four conditions. The flanks are involutes without topography, and the axes are parallel.
+  /// All exact ridges can be computed. The error half way between the ridges is at most a hundredth
+  /// of the amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -75,7 +74,7 @@ class WaveCrests {
   // The path of contact: its range of s on flank 1, and φ as a linear function of s and z.
   struct Path {
     double from = 0.0, to = 0.0;      // range of s
-    double phi = 0.0;                 // in the middle of the range, at z_mid_
+    double phi = 0.0;                 // rotation in the middle of the range, at z_mid_
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
@@ -86,8 +85,7 @@ class WaveCrests {
   // Moves the ends of the path to the exact ridges opposite the ends of flank 2. Returns false if a
   // ridge cannot be computed, or if the path is empty.
   bool adjust(GapField& field, Path& path);
-  // Returns the exact ridge of the smooth flanks at a point, or none if the search does not
-  // converge.
+  // Returns the exact ridge of the smooth flanks at a point, or none without convergence.
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
   std::optional<Ridge> ridge_at(GapField& field, const Path& path, double x, double y) const;
   std::optional<Ridges> ridges_on(GapField& field, const Path& path) const;
@@ -99,7 +97,7 @@ class WaveCrests {
   // Checks the quadratic functions half way between the ridges, where their error is greatest.
   bool accurate(GapField& field, const Path& path) const;
   Node node(double phi, double z, double along_face, double least) const;
-  double along_face(double z) const;  // rad: angle by which waves over the face reduce T at z
+  double along_face(double z) const;  // angle by which waves over the face reduce T at z, rad
 
   WaveCrests(const FlankPatch& one, const FlankPatch& two) : one_(one), two_(two) {}
 
@@ -111,11 +109,11 @@ class WaveCrests {
   double roll2_lo_ = 0.0, roll2_hi_ = 0.0;
   double roll1_ = 0.0, roll1_per_s_ = 0.0;  // L of flank 1 at s_mid_, and its slope
   double s2_ = 0.0, arm_ = 1.0, margin_ = 0.0;
-  double across_ = 0.0, along_ = 0.0;  // rad: amplitudes over the profile and over the face
+  double across_ = 0.0, along_ = 0.0;  // amplitudes over the profile and over the face, rad
   bool steep_ = false;                 // true if T may have several maxima over the profile
   double branch_ = 0.0;                // greatest change of `aside` between two nodes of one crest
   struct Wave {
-    double height = 0.0;  // rad: amplitude
+    double height = 0.0;  // amplitude, rad
     double rate = 0.0;    // change of phase, rad per mm of L
   };
   std::array<Wave, 2> wave_;  // over the profile of each flank

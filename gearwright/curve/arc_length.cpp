@@ -9,7 +9,7 @@
 namespace gearwright {
 namespace {
 
-constexpr int kDeepest = 10;  // halvings, which give 1024 panels at most
+constexpr int kDeepest = 10;  // greatest number of halvings, which gives at most 1024 panels
 
 // A series has converged if its last coefficients are below these limits, relative to the size of
 // the curve. Rounding causes errors of about 1e-16 in the coefficients of the points.
@@ -23,7 +23,7 @@ constexpr double kLastStep = 4e-16;
 
 }  // namespace
 
-// Clenshaw's recurrence.
+// Clenshaw's recurrence for a series of Chebyshev polynomials.
 double ArcLength::value(const Series& series, double x) {
   double b1 = 0.0;
   double b2 = 0.0;
@@ -38,8 +38,7 @@ double ArcLength::value(const Series& series, double x) {
 void ArcLength::add(const Curve& curve, double t_begin, double t_end, double scale, int depth) {
   constexpr std::size_t n = kDegree;
   // The nodes are x_j = cos(π j/n). The panel begins at x_n = −1. The cosines cos(π jk/n) are
-  // computed from the fraction jk/(2n) of a full turn, so they are exact at multiples of a right
-  // angle.
+  // computed from the fraction jk/(2n) of a turn, so they are exact at multiples of 90°.
   const auto cosine = [](std::size_t j, std::size_t k) {
     return sincos_turn(static_cast<long long>(j * k), 2 * static_cast<long long>(n)).cos;
   };
@@ -110,7 +109,7 @@ void ArcLength::add(const Curve& curve, double t_begin, double t_end, double sca
 
 ArcLength::ArcLength(const Curve& curve, double t0, double t1) : t0_(t0), t1_(t1) {
   GW_EXPECTS(t0 != t1);
-  // The size of the curve, to which the rounding errors of the points are proportional.
+  // `scale` is the size of the curve. The rounding errors of the points are proportional to it.
   double scale = 0.0;
   for (int i = 0; i <= 4; ++i) {
     scale = std::max(scale, curve.point(t0 + 0.25 * i * (t1 - t0)).norm());

@@ -8,10 +8,10 @@
 // Approximation Theory and Approximation Practice, ch. 19, 21). A panel on which the series have
 // not converged is halved.
 //
-// A spline through a curve usually needs fewer poles if its parameter is the arc length. A quintic
-// spline through the trochoid of a rounded cutter tip, for example, needs 13 poles instead of 25
-// for an error of 1e-6 mm. Only a curve with a cusp at its end needs more poles with the arc
-// length.
+// A spline through a curve usually needs fewer poles if its parameter is the arc length. For
+// example, a quintic spline through the trochoid of a rounded cutter tip needs 13 poles instead of
+// 25 for an error of 1e-6 mm. Only a curve with a cusp at its end needs more poles with the arc
+// length than with t.
 //
 //   Laws  (1) parameter(0) = t0 and parameter(L) = t1, to the last bit
 //         (2) parameter(length_to(t)) = t up to rounding divided by the speed

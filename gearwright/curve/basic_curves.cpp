@@ -31,7 +31,7 @@ CurvePoint Involute::at(double xi) const {
 
 double Involute::roll_at(double rho) const { return roll_length(rho, base_radius_) / base_radius_; }
 
-// This form has no cancellation. The argument of the point would lose digits near ξ = 0.
+// This formula has no cancellation. The argument of the complex point would lose digits near ξ = 0.
 double Involute::polar_angle(double xi) const { return base_half_angle_ - involute_of_roll(xi); }
 
 double Involute::parameter_at_radius(double rho, double t_lo, double t_hi) const {

@@ -54,7 +54,7 @@ Plane<T> times(const Plane<T>& a, const Plane<T>& b) {
 }
 
 /// A PolarJet of any scalar type, W = scale · unit · e^{i phase}. The scale is a separate factor,
-/// because point_of() multiplies by it last.
+/// so that point_of() can multiply by it after the rotation.
 template <class T>
 struct CurveJet {
   T scale;
@@ -155,9 +155,8 @@ class OffsetCircle final : public Curve {
   double distance() const { return distance_; }
   double direction() const { return direction_; }
   double radius() const { return radius_; }
-  /// |t − γ| of the two points at which a ray from the gear axis is tangent to the circle. At these
-  /// points, cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside the
-  /// circle.
+  /// |t − γ| of the two points at which a ray from the gear axis is tangent to the circle. There,
+  /// cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside the circle.
   std::optional<double> tangent_ray() const;
 
  private:

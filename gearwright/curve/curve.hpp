@@ -4,9 +4,9 @@
 //   W    point as a complex number x + iy, mm
 //                                                          theory: docs/theory/01-frames.md
 //
-// Curves are immutable and shared. An envelope contains the curve that generates it. Therefore, a
-// pinion that is cut by a rack can itself be the cutter of a wheel. Code that has a closed form for
-// one class of curves checks whether a curve belongs to this class.
+// Curves are immutable and shared. An envelope contains the curve that generates it, so a pinion
+// that is cut by a rack can itself be the cutter of a wheel. Code that has a closed form for one
+// class of curves checks whether a curve belongs to this class.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ class Curve {
  public:
   virtual ~Curve() = default;
   virtual Vec2 point(double t) const = 0;
-  /// The curve up to the second derivative, independent of the speed of the parameter. This is all
-  /// that the envelope of a curve requires.
+  /// Point, tangent and curvature at t. They do not depend on the speed at which t runs along the
+  /// curve, and the envelope of a curve requires nothing else.
   virtual CurvePoint at(double t) const = 0;
 
   /// arg W(t) [T1.1], rad, in (−π, π]. In a subclass that overrides this function, the result is

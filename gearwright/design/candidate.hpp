@@ -49,7 +49,7 @@ struct CandidateBatch {
     interference_2,  ///< curvature radius of the flank at the point that the mating tip touches,
                      ///< minus the curvature radius ρ_F at the start of the involute; ∞ for an
                      ///< internal gear, because this limit does not apply to it
-    residual,        ///< residual of inv α_wt; residual/tan² α_wt is the error of tan α_wt
+    residual,        ///< residual of inv α_wt; residual/tan² α_wt is the error of α_wt
     kOut
   };
   std::array<std::vector<double>, kIn> in;
@@ -63,8 +63,7 @@ struct CandidateBatch {
 void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
 void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
 
-/// If the distance of a value from its limit, modules, is less than this, the vector result is not
-/// used.
+/// If a value is nearer to its limit than this, modules, the vector result is not used.
 inline constexpr double kSieveDoubt = 1e-10;
 /// Verdicts of the filter for a trial. The first three verdicts name the limit that certainly
 /// rejects the trial. kSievePass means that the shifts with the longest path of contact meet these

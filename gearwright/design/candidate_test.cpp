@@ -142,7 +142,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
   int beyond_base = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
     const auto out = [&](Batch::Out k) { return b.out[k][i]; };
-    // d tan α/d inv α = 1/tan² α determines the effect of the residual on the working angle.
+    // dα/d inv α = 1/tan² α determines the effect of the residual on the working angle.
     if (!(out(Batch::residual) < 1e-14 * std::pow(out(Batch::tan_working), 2))) continue;
     if (std::isnan(out(Batch::contact_ratio)) || std::isnan(out(Batch::tip_1)) ||
         std::isnan(out(Batch::tip_2)))

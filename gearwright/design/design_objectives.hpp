@@ -1,6 +1,5 @@
-// Computes the objectives of a search that follow from the other values of a design. These
-// objectives are the balance of the safety factors, the relative cost, and an estimate of the
-// noise.
+// Computes those objectives of a search that follow from the other values of a design: the balance
+// of the safety factors, the relative cost, and an estimate of the noise.
 //
 //   R_H, R_F   load reserves of flank and root: (S_H/S_Hmin)², S_F/S_Fmin
 //   δ          mean deflection of the teeth along the line of action, µm
@@ -18,17 +17,17 @@ namespace gearwright {
 /// The greatest load reserve divided by the least one, ≥ 1. There are three reserves: one for both
 /// flanks, one for root 1 and one for root 2.
 ///
-/// The stress at the root is proportional to the load, but the pressure on the flanks grows only
-/// with the square root of the load, so S_H is squared. Both flanks have the same pressure, and no
-/// profile shift changes the ratio of their safety factors, so only the weaker flank counts. If a
-/// limit is not given, it is 1. The result is absent if the row has no safety factors.
+/// The stress at the root is proportional to the load. The pressure on the flanks grows only with
+/// the square root of the load, so S_H is squared. Both flanks have the same pressure, and no
+/// profile shift changes the ratio of their safety factors. Therefore, only the weaker flank
+/// counts. If a limit is not given, it is 1. The result is absent if the row has no safety factors.
 ///
 /// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
 std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);
 
-/// Returns the relative cost, kg. This is the mass times a factor that grows with the face width.
-/// The cost is suitable only for ranking designs of the same kind. The exponent e is an input,
-/// because no published relation between face width and price was found.
+/// Returns the relative cost, kg: the mass times a factor that grows with the face width. The cost
+/// is suitable only for ranking designs of the same kind. The exponent e is an input, because no
+/// published relation between face width and price was found.
 ///
 /// Formula   m (b/d_1)^e; [T9.18]
 double relative_cost(const SearchProblem& problem, const DesignRow& row);

@@ -43,8 +43,7 @@ constexpr double kFarOff = 1e9;  // modules; greater than the distance of any po
 constexpr double kSameEnd = 1e-9;
 
 // Returns the greatest value of f over [a, b], from nodes and a golden section search around the
-// highest node. If all values are negative, the search ends early, and the result may be less than
-// the maximum.
+// highest node. If all values are negative, the search ends early and may miss the maximum.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -82,8 +81,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const auto off_walls = [&](double sum) {
     const Vec2 p = place(sum);
     const double wall = graph.wall_distance(p[0], p[1]);
-    // If a fillet is cut, the result is negative, as at a violated border. The depth of the cut is
-    // not computed.
+    // If a fillet is cut, the result is negative, as at a violated border. Its size has no meaning.
     return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
   };
   const double nearest = std::clamp(0.0, range.lo, range.hi);
@@ -178,7 +176,7 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
   // If `middle` is at least half as far from the borders as `inside`, `middle` is used. If the
-  // slice at one end of the region is a point, the ratio is exactly one half, so a tolerance is
+  // slice at one end of the region is a point, the ratio is exactly 1/2, so a tolerance is
   // subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;

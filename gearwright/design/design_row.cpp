@@ -35,8 +35,7 @@ namespace {
 
 // Returns the mean E_sn of each gear. If a backlash is required, it determines the sum of both
 // allowances, and each gear gets half of this sum. Otherwise, E_sn comes from the table of the
-// series. If a gear is outside the table, it gets no allowance here, and its drawing is rejected
-// later.
+// series. A gear outside the table gets no allowance here, and its drawing is rejected later.
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
@@ -183,8 +182,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
     }
   }
   // OffWalls::none means that no point away from the borders exists. If designs are drawn, this
-  // value is not used, because such a point may exist and may have been rejected above for its
-  // drawing.
+  // value is not used, because such a point may exist and its drawing may have been rejected above.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;

@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// Lengths mm; shifts and region in normal modules.
+/// Lengths are in mm. Shifts and the region are in normal modules.
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2

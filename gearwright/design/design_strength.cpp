@@ -38,8 +38,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// Returns the cut of the internal gear. The result is absent if the pair has no closed form. The
-// reason is that the tip of the pinion reaches the fillet, that the tips are shortened, or that the
+// Returns the cut of the internal gear. The result is absent if the pair has no closed form. This
+// is the case if the tip of the pinion reaches the fillet, if the tips are shortened, or if the
 // internal gear has an allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;

@@ -33,8 +33,8 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 /// sufficient safety factors. If there is no such width, the greatest width of the band is used. If
 /// drawings are checked, the row also contains the verdict on the drawing.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
-/// Returns the first limit that the row violates. This is a safety factor that is too low or has no
-/// value, or the verdict. The result is absent if the row meets all limits.
+/// Returns the first limit that the row violates: a safety factor that is too low or has no value,
+/// or the verdict. The result is absent if the row meets all limits.
 std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row);
 /// Returns the smallest of S_H/S_Hmin and S_F/S_Fmin of both gears. A limit that is not given is 1.
 /// The result is absent if the row has no safety factors.

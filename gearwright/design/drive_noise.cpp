@@ -1,5 +1,4 @@
-// Estimates the noise of drives from their numbers of teeth. A search uses the estimate to rank
-// drives.
+// Estimates the noise of drives from their numbers of teeth, with which a search ranks drives.
 #include <cmath>
 #include <vector>
 
@@ -30,7 +29,7 @@ std::optional<double> noise_of_train(const StandardTeeth& teeth, const DriveCand
 std::optional<double> noise_of_set(const DriveSearchProblem& problem, const StandardTeeth& teeth,
                                    const DriveCandidate& candidate) {
   PlanetarySpec set = set_of(problem, candidate);
-  set.normal_module.reset();  // without a module, only speeds, loads and places are computed
+  set.normal_module.reset();  // without a module, only speeds, loads and positions are computed
   auto graph = graph_of(set);
   if (!graph) return std::nullopt;
   const auto drive = make_drive({std::move(graph).take()});

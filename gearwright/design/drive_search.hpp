@@ -55,8 +55,7 @@ struct DriveSearchProblem {
   std::array<double, 2> ratio{};       ///< band of i, both ends included, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Bands for the members of this kind of set. If a band is absent, teeth_band() gives the
-  /// default.
+  /// Bands for the members of this kind of set. The default of a band is teeth_band().
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of stages of a train
   TeethBand pinion{17, 40}, wheel{17, 150};
@@ -101,11 +100,9 @@ struct DriveSearchProblem {
   bool asks(DriveObjective objective) const;
 };
 
-/// Returns the members whose numbers of teeth are tried for this kind of set. The list is empty for
-/// a train.
+/// Returns the members whose numbers of teeth are tried for this kind of set; none for a train.
 std::vector<SetMember> members_of(const DriveSearchProblem& problem);
-/// Returns the band of the number of teeth of a member: the band of the problem, or else the
-/// default.
+/// Returns the band of the number of teeth of a member, or its default.
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
 
 /// Reasons for rejecting a set, in the order in which they are checked.
@@ -188,9 +185,8 @@ double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
 /// True if this train has a coaxial output. The conditions are that `coaxial_teeth` is given, that
 /// the train has several stages with one module, and that the search chooses the profile shifts.
 bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
-/// Least and greatest sum of the profile shifts of a stage with a limited centre distance. For
-/// comparison, shift_trials() gives sums from 0 to 2 without a limit and with usual thickness
-/// allowances.
+/// Least and greatest sum of the profile shifts of a stage with a limited centre distance. Without
+/// a limit and with usual thickness allowances, shift_trials() gives sums from 0 to 2.
 inline constexpr std::array<double, 2> kStageShiftSums{-1.0, 3.0};
 /// True if a stage with this module and this sum of teeth z_1 + z_2 can have a centre distance
 /// within the limits of the problem. The sum of its profile shifts must be within kStageShiftSums.

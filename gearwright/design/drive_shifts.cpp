@@ -17,8 +17,8 @@ double rounded_up(double x) {
   return std::ceil(x * kPerUnit) / kPerUnit + 0.0;  // + 0.0 turns −0 into 0
 }
 
-// Returns x_u of each external gear. This is the limit for teeth without allowance, minus x_E − x,
-// the distance by which the thickness allowance moves the cutter.
+// Returns x_u of each external gear: the limit for teeth without allowance, minus x_E − x, the
+// distance by which the thickness allowance moves the cutter.
 GearShifts undercut_limits(const DriveGraph& graph) {
   GearShifts limits;
   for (const DriveGear& gear : graph.gears) {
@@ -27,8 +27,7 @@ GearShifts undercut_limits(const DriveGraph& graph) {
     CylindricalSpec spec = *gear.spec;
     spec.teeth = gear.teeth;
     spec.profile_shift = 0.0;
-    // A backlash thins each gear of its mesh by at most j_n/2. This is true because α_wn ≥ α_n if
-    // Σx ≥ 0.
+    // A backlash thins each gear of its mesh by at most j_n/2, because α_wn ≥ α_n if Σx ≥ 0.
     for (const DriveMesh& mesh : graph.meshes)
       if (mesh.backlash && (&graph.gear(mesh, 0) == &gear || &graph.gear(mesh, 1) == &gear))
         spec.thickness_allowance = std::min(spec.thickness_allowance, -*mesh.backlash / 2);
@@ -88,8 +87,7 @@ bool move_into(const std::array<double, 2>& band, const DriveGraph& graph, const
 }
 
 // Prevents undercut of gears whose shifts follow from the centre distance. If such a shift is less
-// than x_u, the gear gets the shift x_u, and the shift of its mating gear follows from the centre
-// distance.
+// than x_u, it is set to x_u, and the mating gear's shift follows from the centre distance.
 void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
   bool all_given = true;
   for (std::size_t g = 0; g < shifts.size(); ++g) {

@@ -111,8 +111,7 @@ class DriveSpace {
     for (z[at(m)] = band_[at(m)][0]; z[at(m)] <= band_[at(m)][1]; ++z[at(m)]) next();
     z[at(m)] = 0;
   }
-  // Tries the numbers of teeth near `middle`. A set with `middle` teeth is coaxial without profile
-  // shifts.
+  // Tries the numbers of teeth near `middle`, which gives a coaxial set without profile shifts.
   template <class Next>
   void near(SetMember m, TeethOfSet& z, int middle, const Next& next) const {
     const int last = std::min(band_[at(m)][1], middle + slack_);

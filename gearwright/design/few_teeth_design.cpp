@@ -116,8 +116,7 @@ class FewTeethSearch {
     tried += static_cast<int>(all.size());
     begin_stage(p_.progress, "testing pairs of profile shifts",
                 static_cast<std::int64_t>(all.size()));
-    // Candidates are evaluated independently, so the result does not depend on the number of
-    // threads.
+    // Candidates are independent, so the result does not depend on the number of threads.
     parallel_for(all.size(), [&](std::size_t i) {
       Candidate& c = all[i];
       const auto cut = cut_gears(c.x1, c.x2, c.verdict);

@@ -1,6 +1,5 @@
-// Designs a pinion with few teeth and its wheel. The search considers profile shifts without
-// undercut, cusps, pointed teeth and interference. It chooses those with the longest path of
-// contact.
+// Designs a pinion with few teeth and its wheel. The search chooses the profile shifts with the
+// longest path of contact without undercut, cusps, pointed teeth and interference.
 //
 //   x1, x2   profile shifts of pinion and wheel, the unknowns     C    clearance at both tips, mm
 //
@@ -24,7 +23,7 @@
 
 namespace gearwright {
 
-/// Lengths mm.
+/// Lengths are in mm.
 struct FewTeethProblem {
   std::array<int, 2> teeth{};  ///< numbers of teeth of pinion and wheel; < 0 for an internal gear
   double normal_module = 0.0;

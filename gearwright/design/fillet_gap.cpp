@@ -16,7 +16,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct Corner {
   double a;      // centre distance
   double u;      // tip radius
-  double angle;  // from the corner to the middle of its tooth, plus half of the backlash
+  double angle;  // angle from the corner to the middle of its tooth, plus half of the backlash
   double ratio;  // z of the mating gear divided by z of this gear
 };
 
@@ -66,8 +66,7 @@ class Fillet {
 double least_gap(const Fillet& fillet, const Corner& corner) {
   constexpr int kNodes = 12;
   const auto node = [&](int i) { return fillet.end() * i / kNodes; };
-  // The gap is computed at nodes, from the flank down to the greatest depth that the corner
-  // reaches.
+  // The gap is computed at nodes, from the flank down to the corner's greatest depth.
   std::array<double, kNodes + 1> at;
   at.fill(kInfinite);
   int best = kNodes;

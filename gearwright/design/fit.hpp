@@ -23,8 +23,7 @@
 
 namespace gearwright {
 
-/// The known values. Values that are absent are computed. Lengths are in mm. z2 is < 0 for an
-/// internal gear.
+/// The known values, lengths in mm. Absent values are computed. z2 is < 0 for an internal gear.
 struct FitProblem {
   std::array<int, 2> teeth{};
   double normal_module = 0.0;                          ///< m_n, common to both gears

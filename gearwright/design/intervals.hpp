@@ -3,8 +3,7 @@
 //
 // The function is evaluated at nodes. Between two nodes of different sign, bracketing finds one
 // root. A narrow interval may also lie between nodes. If the function is negative at a node and
-// smaller at both neighbours, golden section therefore searches for the maximum between these
-// neighbours.
+// smaller at both neighbours, golden section therefore searches for a maximum between them.
 //
 // A function is quasiconcave if its superlevel sets are intervals. For such a function, the result
 // is exact except for rounding. docs/theory/09-design-search.md proves for which arguments the
@@ -41,8 +40,7 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
 
 /// Known properties of a function. They reduce the number of evaluations.
 struct Hump {
-  /// Upper limit of f″. It need not hold at creases, where f changes from one smooth function to
-  /// another.
+  /// Upper limit of f″, except at creases, where f changes from one smooth function to another.
   double bend = std::numeric_limits<double>::infinity();
   double below = -1e-9;  ///< maxima below this value are ignored
 };
@@ -184,8 +182,7 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   return found;
 }
 
-/// Returns the intervals of [a, b] in which f ≥ 0, in ascending order. An interval may be a single
-/// point.
+/// Returns the intervals of [a, b] in which f ≥ 0, in ascending order. They may be single points.
 ///
 /// Domain    f continuous; if a > b, there are no intervals
 template <class F>
@@ -194,8 +191,7 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b, int nod
   return superlevel(f, a, b, nodes, hump).pieces;
 }
 
-/// Returns the intervals in which f ≥ 0. If there are none, returns the intervals in which f ≥
-/// −touch.
+/// Returns the intervals in which f ≥ 0 or, if there are none, those in which f ≥ −touch.
 ///
 /// Domain    touch much smaller than −hump.below
 template <class F>

@@ -59,8 +59,7 @@ class PitchSum {
   double hi() const { return hi_; }
   double argmin() const { return argmin_; }
   double min() const { return (*this)(argmin_); }
-  // Returns the solutions of H(β_w1) = t in ascending order. There are at most two, because H is
-  // convex.
+  // Returns the solutions of H(β_w1) = t in ascending order, at most two, because H is convex.
   std::vector<double> where(double t) const {
     const double rest = min() - t;
     if (rest > 0.0) return {};

@@ -24,8 +24,7 @@ std::string shown(const std::array<double, 2>& b) {
 
 // Greatest number of trials that the filter evaluates for one member.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// Effort of the change that permits interference. It is high, because designs with interference do
-// not run.
+// Effort of permitting interference, which is high, because such designs do not run.
 constexpr double kNotToRun = 100.0;
 // Relative accuracy of a change. Changes are printed with four digits.
 constexpr double kEnough = 1e-9;
@@ -45,7 +44,7 @@ class Least {
     if (!to || knob_->kind == Knob::Kind::teeth) return to;
     const double move = *to - knob_->value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-    constexpr double kWhole = 1e-6;  // steps: tolerance, so that whole steps are not rounded up
+    constexpr double kWhole = 1e-6;  // tolerance, steps, so that whole steps are not rounded up
     const double rounded =
         knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
     const double tidy = std::stod(shown(rounded));
@@ -56,8 +55,7 @@ class Least {
   bool stopped() const { return stopped_; }
 
  private:
-  // Moves the far end of the range towards the given value until the number of trials is small
-  // enough.
+  // Moves the far end of the range towards the given value until there are few enough trials.
   bool reach() {
     far_ = knob_->far;
     for (int i = 0; i < 60; ++i) {
@@ -95,8 +93,7 @@ class Least {
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
   }
-  // Sets the member to the far end of its range, and calls f for every trial that passes the
-  // filter.
+  // Sets the member to the far end of its range and calls f for every trial that passes the filter.
   template <class F>
   void each_candidate(const F& f) {
     knob_->set(problem_, far_);

@@ -27,10 +27,9 @@ struct NearestChange {
   std::string field;
   std::string from;  ///< the given value, such as "1.2" or "[99, 101]"
   std::string to;    ///< value with which a design exists, rounded to the feasible side
-  /// Size of the change. This is |to − from| divided by the value itself (distance, ratio, teeth,
-  /// load, face width), by 2 (sliding) or by 1 (others). `coprime` and another steel have the
-  /// effort 0.5. Permitting interference has the effort 100, because designs with interference do
-  /// not run.
+  /// Size of the change: |to − from| divided by the given value (distance, ratio, teeth, load, face
+  /// width), by 2 (sliding) or by 1 (other numbers). `coprime` and another steel have the effort
+  /// 0.5. Permitting interference has the effort 100, because designs with interference do not run.
   double effort;
 };
 

@@ -51,8 +51,7 @@ ShiftGraph Search::graph(const Trial& trial) const {
 
 namespace {
 
-// Collects trials with the same rack and helix angle and evaluates the filter for all of them at
-// once.
+// Evaluates the filter for all trials with the same rack and helix angle at once.
 class Sieve {
  public:
   Sieve(const SearchProblem& problem, const Trial& first, const TrialGear& pinion)

@@ -40,9 +40,9 @@ struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
-/// A callback for long searches. It receives the number of trials since the last call and returns
-/// true if the search shall continue. Any working thread may call it, many times per second. It may
-/// be empty.
+/// A callback for long searches, which may be empty. It receives the number of trials since the
+/// last call and returns true if the search shall continue. Any working thread may call it, many
+/// times per second.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 struct RangeOptions {

@@ -134,9 +134,8 @@ struct SearchProblem;
 struct DrawnDesign {
   bool runs = false;                                ///< true if no finding is worse than green
   std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both ends of the tolerances
-  /// The pair at every combination of tolerance ends. The list is filled only if a wider face may
-  /// help. This is the case if the design does not run, and insufficient safety factors are the
-  /// only reason.
+  /// The pair at every combination of tolerance ends. A wider face may help if insufficient safety
+  /// factors are the only reason why the design does not run. The list is filled only in this case.
   std::vector<RatedPair> at_ends{};
 };
 using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;
@@ -145,13 +144,12 @@ inline constexpr double kFaceModules = 10.0;      ///< default b/m_n
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 inline constexpr double kUsualFriction = 0.05;    ///< μ for the objective `efficiency`
 
-/// Limits for designs that run, modules. A caller can use them as defaults, because the defaults of
-/// SearchLimits are different.
+/// Limits for designs that run, modules. The defaults of SearchLimits are weaker, so callers that
+/// require such designs set these limits.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
 
-/// Default limits of |x| and of the specific sliding |ζ|, for designs whose drawings are
-/// checked.
+/// Default limits of |x| and of the specific sliding |ζ|, for designs with checked drawings.
 inline constexpr double kDrawnShift = 1.0;
 inline constexpr double kDrawnSliding = 3.0;
 

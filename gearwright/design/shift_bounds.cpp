@@ -1,5 +1,4 @@
-// Computes the bounds that each limit of the s1–s2 graph imposes on Σ, and on x1 along a line
-// Σ = const.
+// Computes the bounds that each limit of the s1–s2 graph imposes on Σ, and on x1 for a given Σ.
 //
 // The bounds are solutions of the leaf formulas (pair/leaf_formulas.hpp) for a shift.
 #include <algorithm>
@@ -110,8 +109,9 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const double path = min_path_ / weight_[i];
   double least = radius_of(path, g.r_b);
   double most = kInfinity;
-  // The condition for the tip radius u is q(u) ≥ s u + c. It holds between the roots. If s u + c <
-  // 0 at the base circle, it holds from the base circle up to the greater root.
+  // The condition for the tip radius u is q(u) ≥ s u + c. Squaring it gives a quadratic in u, and
+  // the condition holds between the roots. If s u + c < 0 at the base circle, it holds from the
+  // base circle up to the greater root.
   const double s = 1.0 / g.sin_transverse;
   const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
   const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;

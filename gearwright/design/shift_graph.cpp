@@ -57,7 +57,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
   inv_alpha_t_ = involute(alpha_t);
   pitch_ = std::numbers::pi * std::cos(alpha_t) / cos_beta;
   if (crossed_) {
-    // [T9.10]: N = r_1 sin α_t1/cos β_b1 + r_2 sin α_t2/cos β_b2 + Σ/sin α_n, for X = Σ.
+    // [T9.10]: For X = Σ, N = r_1 sin α_t1/cos β_b1 + r_2 sin α_t2/cos β_b2 + Σ/sin α_n.
     pitch_ = std::numbers::pi * std::cos(problem.normal_pressure_angle.rad());
     for (std::size_t i : {0, 1}) {
       weight_[i] = 1.0 / gears_[i].cos_base_helix;
@@ -182,7 +182,7 @@ double ShiftGraph::beyond_long_paths(double sum) const {
 // Returns the sum above which the tips are too thin, in spite of the shortening by k. If 60 steps
 // do not find this sum, the function returns the sum of the last step.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
-  constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
+  constexpr double kLastRise = 1e-13;  // rounding of a shift, modules
   constexpr double kBeyond = 1e-9;     // modules, bound for the sum of all further increases
   for (int i = 0; i < 60; ++i) {
     const double k = place(std::max(sum, least)).k;

@@ -118,8 +118,8 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// Some limits depend on Σ alone, but have no closed form of their range of Σ. This is the
-  /// smallest margin of these limits, in units of Σ. They are met if the margin is ≥ 0.
+  /// The smallest margin, in units of Σ, of those limits that depend on Σ alone but whose range of
+  /// Σ has no closed form. These limits are met if the margin is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
@@ -162,8 +162,7 @@ class ShiftGraph {
   /// are shortened, limits that depend on the tip are omitted.
   std::array<Interval, 2> shift_limits() const;
   /// Returns the distance of a point from the nearest border. The result is margin() without the
-  /// band of centre distances. The ends of this band do not count as borders, because the user
-  /// chooses them.
+  /// band of centre distances, whose ends are not borders, because the user chooses them.
   ///
   /// Domain    within sums()
   double wall_distance(double x1, double x2) const;

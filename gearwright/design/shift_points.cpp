@@ -43,8 +43,8 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
   const auto at_least = [&](CandidateBatch::Out column, double limit) {
     compare(b.out[column][i] - limit, kSieveDoubt);
   };
-  // The residual of inv α_wt divided by tan² α_wt is the error of tan α_wt, because the derivative
-  // of inv α is tan² α.
+  // The residual of inv α_wt divided by tan² α_wt is the error of α_wt, because the derivative of
+  // inv α is tan² α.
   const double tan_w = b.out[CandidateBatch::tan_working][i];
   if (!(b.out[CandidateBatch::residual][i] < 0.01 * kSieveDoubt * tan_w * tan_w)) ask = true;
   at_least(CandidateBatch::contact_ratio, limits.contact_ratio);

@@ -4,9 +4,8 @@
 //   candidate   a grid point within the shift limits of both gears and within the range of Σ
 //
 // Vector code (design/candidate.hpp) computes the values that are compared with the limits. If a
-// value is within kSieveDoubt of its limit, or if the axes are crossed, the graph decides. The
-// values in the list come from the scalar formulas of the pair, so the list is the same on every
-// machine.
+// value is within kSieveDoubt of its limit, or if the axes are crossed, the graph decides. The list
+// contains values from the scalar formulas, so it is the same on every machine.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@
 
 namespace gearwright {
 
-/// Lengths mm, angles rad.
+/// Lengths are in mm, and angles in rad.
 struct ShiftPoint {
   std::int64_t trial = 0;
   std::array<double, 2> shift{};

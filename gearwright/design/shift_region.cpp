@@ -53,8 +53,7 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// Greatest number of corners of a side. More corners occur only if two bounds are equal except for
-// rounding.
+// Greatest number of corners of a side. More occur only if two bounds are practically equal.
 constexpr std::size_t kMaxChanges = 40;
 // Relative difference of two sums between which there is no other double.
 constexpr double kSameSum = 4e-16;
@@ -66,11 +65,10 @@ constexpr double kMinBeside = 1e-10;
 // Several edges meet at an end of a piece. At this distance from the end, relative to the width of
 // the piece, the edge is unique.
 constexpr double kInset = 1e-7;
-// Tolerance, modules. Within it, the end of a piece counts as the end of the whole range. Both ends
-// are computed separately, so they may differ by rounding errors.
+// Tolerance, modules, within which the end of a piece counts as the end of the whole range. Both
+// ends are computed separately, so they may differ by rounding errors.
 constexpr double kSameRegionEnd = 1e-9;
-// Adds the sums between l and r at which the edge of the side changes. at_l and at_r are the edges
-// at l and r.
+// Adds the sums between l and r at which the edge of the side changes from at_l to at_r.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
   if (at_l == at_r) return;
@@ -132,8 +130,7 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
 }
 
 // Maps an angle to a sum between `from` and `to`. If the two x1 with E = K coincide at an end, x1
-// varies with the square root of the distance from this end. As a function of the angle, however,
-// x1 is smooth.
+// varies with the square root of the distance from this end, but it is smooth in the angle.
 double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }

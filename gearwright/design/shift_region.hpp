@@ -57,7 +57,7 @@ inline constexpr double kWallDistance = 0.05;
 /// border or outside the region.
 ///
 /// If interference is permitted, no distance is required. The result is then absent if the point
-/// with Σ nearest 0 lies at a border or outside the region, and the caller uses
+/// with Σ nearest 0 lies at a border or outside the region. In this case, the caller uses
 /// ShiftRegion::balanced if it exists. If Σ = 0 is feasible, all limits are usually evaluated only
 /// once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
@@ -70,7 +70,7 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b);
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
-/// Returns the point of a design. This is `off_walls`, or `balanced` if `off_walls` is absent, or
+/// Returns the point of a design: `off_walls`, or `balanced` if `off_walls` is absent, or
 /// middle_point() if both are absent.
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
 /// Returns the middle between lo and hi if the region is one piece and this middle is far enough

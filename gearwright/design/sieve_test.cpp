@@ -124,7 +124,7 @@ void expect_verdicts_of_the_graph(const Mode& mode, unsigned seed, int cases, in
       const auto limit = graph(s.problem, s.trials[i]).what_kills();
       const double by_graph =
           limit ? std::min(static_cast<double>(*limit), kSievePass) : kSievePass;
-      // The filter does not know the start of the flanks, so the graph may reject trials that pass
+      // The filter has no data on the start of the flanks, so the graph may reject trials that pass
       // the filter.
       const bool clipped = verdict == kSievePass && by_graph == kSieveContactRatio;
       if (clipped) ++clipped_later;

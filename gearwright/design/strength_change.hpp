@@ -1,5 +1,5 @@
-// Lists the changes that can give a rated design sufficient safety factors. These are lower
-// required safety factors, a smaller load, a wider face and a stronger steel. Internal to design/.
+// Lists the changes that can give a rated design sufficient safety factors: lower required safety
+// factors, a smaller load, a wider face, or a stronger steel. Internal to design/.
 #pragma once
 
 #include <fmt/format.h>

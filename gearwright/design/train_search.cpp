@@ -103,7 +103,7 @@ class TrainSearch {
   const DriveSearchProblem& problem_;
   DriveSearchResult& result_;
   std::vector<std::array<int, 2>> stages_;
-  std::vector<char> reached_;  // by z_1 + z_2: true if a module gives the required centre distance
+  std::vector<char> reached_;  // true for a z_1 + z_2 if a module gives the required distance
   std::vector<int> wheels_;    // number of wheels that may mesh with each pinion
   std::int64_t trials_ = 0;
 };

@@ -60,8 +60,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
     }
     const auto bound = [&](Eigen::Index column, double margin) {
       // The columns of `terms` may be linearly dependent. For example, if only one z_1 is tried,
-      // its logarithm is the same in all trains. In this case, least_squares() returns the solution
-      // of least norm.
+      // its logarithm is always the same. least_squares() then returns the solution of least norm.
       const Eigen::VectorXd fit = least_squares(terms, logs.col(column));
       const double above = (logs.col(column) - terms * fit).maxCoeff();
       return Fit{fit[0], fit[1], fit[2], fit[3], above + margin};

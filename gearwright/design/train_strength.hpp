@@ -39,16 +39,14 @@ class TrainStrength {
  public:
   /// Makes an object without rated trains. may_hold() then always returns true.
   TrainStrength() = default;
-  /// Fits the safety factors of all stages. Stages with the same index, counted from the input,
-  /// share one fit.
+  /// Fits the safety factors of all stages. Stages with equal indices from the input share a fit.
   explicit TrainStrength(const std::vector<RatedTrain>& rated);
 
   /// Returns false if, according to the estimate, this stage of the train cannot have the required
   /// safety factors.
   bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
-  /// Returns the face width with which this stage has the required safety factors according to the
-  /// fits, mm. The width in `candidate` is not used. Returns 0 if the safety factors do not depend
-  /// on the width.
+  /// Returns the face width, mm, with which this stage has the required safety factors by the fits.
+  /// The width in `candidate` is not used. Returns 0 if the factors do not depend on the width.
   ///
   /// Formula   ln S_H = A + (p − 1/2) ln w and ln S_F = B + (q − 1) ln w, where p and q are the
   ///           coefficients of ln w in the fits; b = T_k/(w z_1) for the smaller w
@@ -57,8 +55,7 @@ class TrainStrength {
                      const Safeties& required) const;
   /// True if there is an estimate for trains with this number of stages.
   bool estimates(std::size_t stages) const { return stages <= stages_.size(); }
-  /// True if, according to the estimate, a stage of the train cannot have the required safety
-  /// factors.
+  /// True if, by the estimate, a stage of the train cannot have the required safety factors.
   ///
   /// `candidate`  with the greatest face widths, if the search chooses them
   /// Laws         (1) a train of the fits that has the required safeties is not hopeless
@@ -70,7 +67,7 @@ class TrainStrength {
     double constant = 0.0, per_teeth = 0.0, per_ratio = 0.0, per_load = 0.0;
     double above = 0.0;  // greatest residual with its margin, which is not part of `constant`
 
-    // ln S √κ or ln S w, without the term of the load
+    // ln(S √κ) or ln(S w), without the term of the load
     double without_load(double log_teeth, double log_ratio) const {
       return constant + per_teeth * log_teeth + per_ratio * log_ratio;
     }

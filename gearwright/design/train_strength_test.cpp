@@ -1,5 +1,5 @@
-// The estimate of the safeties of trains: trains whose safeties follow the fitted law are left out
-// exactly if they miss the required safeties by more than the margins.
+// The estimate of the safety factors of trains. Trains whose safety factors follow the fitted law
+// are left out if and only if they miss the required safety factors by more than the margins.
 #include "gearwright/design/train_strength.hpp"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// Returns the shift at which the tip lies on the base circle. This is the smallest possible shift
+// Returns the shift at which the tip lies on the base circle, which is the smallest possible shift
 // of an external gear and the greatest possible shift of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
@@ -80,8 +80,7 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
 }
 
 // Returns the upper end of thick_enough() for k < 0. At x = thick_until − k, the tip radius is that
-// of thick_until with k = 0, but the tooth is thicker. The end is therefore slightly greater than
-// this x.
+// of thick_until with k = 0, but the tooth is thicker. The end is slightly greater than this x.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);

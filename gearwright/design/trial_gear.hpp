@@ -1,6 +1,5 @@
-// Computes one gear of a trial. The results are the limits of its profile shift, and the values
-// that depend only on the number of teeth, the helix angle and the rack. All lengths are in normal
-// modules.
+// Computes one gear of a trial: the limits of its profile shift, and the values that depend only on
+// the number of teeth, the helix angle and the rack. All lengths are in normal modules.
 //
 //   r, r_b    reference and base radius, negative for an internal gear (ISO 21771 signs), so that
 //             |r_a| = |r + h_a + x + k| and the other formulas hold for external and internal gears
@@ -34,9 +33,8 @@ struct TrialGear {
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
          x_max = 0.0;  ///< limits of x for k = 0; if x_min > x_max, no x is possible
-  /// The greatest x at which the tip is thick enough, for k = 0. It is present only in the usual
-  /// case. In this case, the tip of an external gear is thick enough at x = 0 and too thin at a
-  /// great x.
+  /// The greatest x at which the tip is thick enough, for k = 0. It is present only for an external
+  /// gear whose tip is thick enough at x = 0 and too thin at a great x, which is the usual case.
   std::optional<double> thick_until{};
 };
 
@@ -54,8 +52,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
 /// Returns the greatest x within the limits for the tip alteration k. If k < 0, the result may
-/// exceed x_max, because a shortened tip is thicker. If no x is possible, the result is less than
-/// `x_min`.
+/// exceed x_max, because a shortened tip is thicker. If no x is possible, it is less than `x_min`.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// Returns a lower bound of max_shift() without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);

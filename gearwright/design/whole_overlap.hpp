@@ -1,4 +1,4 @@
-// Chooses helix angles that give overlap ratios which are whole numbers.
+// Chooses helix angles for which the overlap ratio is a whole number.
 //
 //   ε_β = b sin β/(π m_n)   overlap ratio
 //
@@ -20,9 +20,8 @@ namespace gearwright {
 /// hundredth of a degree changes the overlap ratio by more than 1 %.
 inline constexpr double kLeastOverlapHelix_deg = 1.0;
 
-/// The band of helix angles, degrees, for callers without a band. From 5° on, an
-/// overlap ratio exceeds its whole number by at most 0.2 %, and at 30° the axial force is 58 % of the
-/// tangential force.
+/// The band of helix angles, degrees, for callers without a band. From 5° on, an overlap ratio
+/// exceeds its whole number by at most 0.2 %. At 30°, the axial force is 58 % of F_t.
 inline constexpr std::array kUsualOverlapHelix_deg{5.0, 30.0};
 
 /// Returns the least multiple of 0.01° at which the face width has at least this overlap ratio,

@@ -6,8 +6,8 @@
 //                                                          theory: docs/theory/01-frames.md
 //
 // In a product, the letters on both sides of a `*` must be equal. Therefore, X_2f * X_f1 * r_1
-// compiles, and X_f1 * X_2f does not compile. Each product is one product of matrices. Other rooms
-// declare their own frames.
+// compiles, and X_f1 * X_2f does not. Each `*` is one product of matrices. Other rooms declare
+// their own frames.
 #pragma once
 
 #include <cmath>
@@ -28,8 +28,8 @@ struct Point {
   Vec3 r = Vec3::Zero();
 };
 
-/// The coordinates of a direction or of a displacement in a frame. It has no point of application,
-/// so the origin of the frame does not matter.
+/// A direction or a displacement, given by its coordinates in a frame. It has no point of
+/// application, so the origin of the frame does not matter.
 template <class Frame>
 struct FreeVector {
   Vec3 v = Vec3::Zero();
@@ -75,7 +75,7 @@ class Pose {
   const Eigen::Isometry3d& isometry() const { return isometry_; }
   Pose<From, To> inverse() const { return Pose<From, To>(isometry_.inverse()); }
 
-  Vec3 origin() const { return isometry_.translation(); }  ///< of From, in the frame To, mm
+  Vec3 origin() const { return isometry_.translation(); }  ///< origin of From, in the frame To, mm
   /// The direction of the axis x (0), y (1) or z (2) of From, in the frame To.
   Vec3 axis(int i) const { return isometry_.linear().col(i); }
   /// The azimuth of the x axis of From about the z axis of To, rad.

@@ -1,7 +1,7 @@
-// The box is divided into cells, each of which has a value of f in its middle. In the plane of size
-// and value, each round divides the cells on the lower right of the convex hull: a cell can contain
-// the least value for some slope of f only if it lies there. Of all cells of one size, only the one
-// with the least value is considered, which is the local bias of DIRECT-L.
+// The box is divided into cells. Each cell has the value of f at its middle. If size is plotted to
+// the right and value upwards, the cells on the lower right part of the convex hull are those that
+// can contain the least value of f for some slope of f. Each round divides these cells. Only the
+// cell with the least value of each size is considered, which is the local bias of DIRECT-L.
 //
 //   size     half of the longest side, as a part of the box
 //   f        value in the middle of the cell
@@ -20,13 +20,13 @@ namespace gearwright::detail {
 namespace {
 
 constexpr double kThird = 1.0 / 3.0;
-// Sides are divided together if they differ by at most this part. They differ by powers of three,
-// or by rounding.
+// Greatest relative difference of two sides that count as equal and are divided together. Unequal
+// sides differ at least by the factor three.
 constexpr double kSameSide = 0.05;
 
 struct Cell {
   double size = 0.0, f = 0.0;
-  long age = 0;  // cells of the same size and value are divided in this order
+  long age = 0;  // order of creation; cells of the same size and value are divided in this order
   std::vector<double> middle, side;
 };
 
@@ -38,7 +38,7 @@ struct BySize {
   }
 };
 
-// In single precision, so that sides which differ by rounding have the same size.
+// Half of the longest side, in single precision. Sides that differ by rounding have the same size.
 double size_of(const std::vector<double>& side) {
   return static_cast<float>(*std::max_element(side.begin(), side.end()) * 0.5);
 }
@@ -91,8 +91,8 @@ class BoxSearch {
     return cells_.back();
   }
 
-  // Divides the longest sides of a cell, beginning with the side along which f is least. The best
-  // values then lie in the largest cells. False if the trials are spent.
+  // Divides the longest sides of a cell, beginning with the side along which f is least. The parts
+  // with the least values are therefore the largest. Returns false if the trials are spent.
   bool divide(Cell& cell) {
     const double longest = *std::max_element(cell.side.begin(), cell.side.end());
     std::vector<std::size_t> along;
@@ -127,7 +127,7 @@ class BoxSearch {
     return true;
   }
 
-  // The cell with the least value of each size, in ascending order of size.
+  // Returns the cell with the least value of each size, in ascending order of size.
   std::vector<Cell*> least_of_each_size() const {
     std::vector<Cell*> least;
     for (auto at = sorted_.begin(); at != sorted_.end();) {
@@ -135,14 +135,15 @@ class BoxSearch {
       Cell last;
       last.size = (*at)->size;
       last.f = kInfinity;
-      last.age = std::numeric_limits<long>::max();  // also behind the cells whose value is infinite
+      // This age places `last` behind all cells of its size, even those with infinite values.
+      last.age = std::numeric_limits<long>::max();
       at = sorted_.upper_bound(&last);
     }
     return least;
   }
 
-  // The cells on the lower convex hull, in ascending order of size. The second one is kept also if
-  // it lies above the hull, and so is the last but one beside the largest cell.
+  // Returns the cells on the lower convex hull, in ascending order of size. The second cell and the
+  // last cell but one may lie above the hull, because the result is not checked at its two ends.
   std::vector<Cell*> hull() const {
     const std::vector<Cell*> all = least_of_each_size();
     if (all.size() == 1) return all;
@@ -164,8 +165,8 @@ class BoxSearch {
     return hull;
   }
 
-  // Divides every cell of the hull that can contain a value below the least one, and the largest.
-  // A cell that has been divided takes part in the comparison with its new size.
+  // Divides the largest cell and each cell of the hull that can contain a value less than the least
+  // known value. A cell that was divided in this round is compared with its new size.
   bool divide_best() {
     const std::vector<Cell*> list = hull();
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -56,7 +56,7 @@ T involute_of_roll(const T& xi) {
   return xi - atan(xi);
 }
 
-/// Pressure angle α with inv α = y, by Halley's iteration. The start value is within 2.4 %.
+/// Pressure angle α with inv α = y, by Halley's iteration from a start value within 2.4 % of α.
 ///
 /// Formula   [T2.3]; the iteration is monotone from the second step on
 /// Units     rad; odd in y

@@ -1,10 +1,11 @@
 // Minimises a function of several variables within a box, without derivatives.
 //
-//   whole_box   DIRECT-L divides the box into thirds again and again, smallest where f is least
+//   whole_box   DIRECT-L divides the box into thirds repeatedly; the parts are smallest where f is
+//               least
 //   downhill    Subplex moves simplices of two to five variables downhill from a start point
 //
-// Both methods are deterministic. They make the same trials in the same order as the methods
-// GN_DIRECT_L and LN_SBPLX of NLopt 2.7, so that results agree with those of NLopt in all bits.
+// Both methods are deterministic. They evaluate f at the same points in the same order as
+// GN_DIRECT_L and LN_SBPLX of NLopt 2.7, so their results agree with those of NLopt in all bits.
 //
 // Sources   Jones, Perttunen, Stuckman, Lipschitzian optimization without the Lipschitz constant
 //           (1993); Gablonsky, Kelley, A locally-biased form of the DIRECT algorithm (2001);
@@ -23,9 +24,9 @@ enum class Minimiser {
   downhill    ///< Subplex, a local search from the start point
 };
 
-/// A search ends after `evaluations` evaluations, or earlier when a step changes the best value
-/// of f by less than `gain`, or by less than the fraction `relative_gain` of this value. A search
-/// of the whole box makes at least two evaluations.
+/// A search ends after `evaluations` evaluations, or earlier when a step changes the best value of
+/// f too little. The change is then less than `gain`, or less than the fraction `relative_gain` of
+/// this value. A search of the whole box makes at least two evaluations.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0

@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-// Limit of the evaluations by TOMS 748, which usually needs about ten. If the limit is reached, the
-// remaining bracket is bisected.
+// Greatest number of evaluations by TOMS 748, which usually needs about ten. If the limit is
+// reached, the remaining bracket is bisected.
 constexpr std::uintmax_t kBudget = 100;
 // TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until kBudget is
 // reached. It is stopped when the width of the bracket is at most this fraction of the end with the
@@ -32,8 +32,8 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
-    // For a root at 0, the relative criterion below is never met, so the bracket is also closed if
-    // its ends are neighbouring doubles.
+    // If the root is 0, the relative criterion below is never met. The bracket therefore also
+    // counts as closed if its ends are neighbouring doubles.
     if (std::nextafter(a, b) == b) return true;
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));

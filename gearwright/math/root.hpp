@@ -33,11 +33,12 @@ struct Root {
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
-/// Finds, by halving, the value nearest to `wanted` for which `possible` returns true. `possible`
-/// is true at `known` and false at `wanted`, and changes only once between them.
+/// Returns the value nearest to `wanted` for which `possible` returns true, by halving. `possible`
+/// must be true at `known` and false at `wanted`, and must change only once between them.
 template <class Possible>
 double nearest_possible(double known, double wanted, const Possible& possible) {
-  constexpr int kHalvings = 50;  // reduce any range to the rounding error
+  // 50 halvings reduce any range to the rounding error.
+  constexpr int kHalvings = 50;
   for (int step = 0; step < kHalvings; ++step) {
     const double middle = (known + wanted) / 2;
     (possible(middle) ? known : wanted) = middle;
@@ -95,7 +96,7 @@ template <class T, class F>
 NewtonRoot<T> newton_in_bracket(const F& f, T lo, T hi, T start, bool rising) {
   using std::abs;
   GW_EXPECTS(!(start < lo) && !(hi < start));
-  constexpr int kBudget = 400;  // more than twice the 170 bisections that 50 digits need
+  constexpr int kBudget = 400;  // more than twice the 170 bisections that numbers of 50 digits need
   const T ulps = T(2) * std::numeric_limits<T>::epsilon();
   NewtonRoot<T> root{start, T(0), 0, NewtonStop::iterations};
   T last = hi - lo;

@@ -11,8 +11,8 @@ namespace {
 using Table = boost::random::default_sobol_table;
 static_assert(SobolPoints::kMaxDimensions == Table::max_dimension);
 
-// The direction numbers v_k = m_k 2^(31 − k), k = 0 … 31. The bits of `polynomial` are the
-// coefficients a_0 … a_degree of a primitive polynomial, of which the first and the last are 1.
+// Returns the direction numbers v_k = m_k 2^(31 − k), k = 0 … 31. The bits of `polynomial` are the
+// coefficients a_0 … a_degree of a primitive polynomial. The first and the last coefficient are 1.
 std::array<std::uint32_t, 32> directions(unsigned polynomial, unsigned degree, std::size_t j) {
   std::array<std::uint32_t, 32> m{};
   for (unsigned k = 0; k < 32; ++k) {

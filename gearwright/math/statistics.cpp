@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-// Boost adds up terms in one order with SSE2 and in another order without SSE2. Results must not
-// depend on the processor, so Boost is compiled as if SSE2 were missing. MinGW has the two macros
-// of MSVC, too.
+// Boost adds terms in another order if SSE2 is available. Results must not depend on the processor,
+// so Boost is compiled as if SSE2 were missing. MinGW also defines the macros of MSVC.
 #pragma push_macro("__SSE2__")
 #pragma push_macro("_M_AMD64")
 #pragma push_macro("_M_X64")
@@ -26,7 +25,7 @@ namespace gearwright {
 
 namespace {
 
-// P(B ≥ k) of B ~ Bin(n, p).
+// Returns P(B ≥ k), where B is binomial with n trials and the probability p.
 double at_least(std::int64_t k, std::int64_t n, double p) {
   if (k <= 0) return 1.0;
   if (k > n) return 0.0;
@@ -160,8 +159,8 @@ double beta_cdf(double x, double p, double q) {
 double beta_quantile(double u, double p, double q) {
   GW_EXPECTS(p > 0.0 && q > 0.0 && u >= 0.0 && u <= 1.0);
   if (u == 0.0 || u == 1.0) return u;
-  // The inverse function of Boost fails for some values of p and q that differ greatly.
-  // Newton's iteration within a bracket cannot fail.
+  // The inverse function of Boost fails for some values of p and q that differ greatly. Newton's
+  // iteration within a bracket always converges.
   const auto f = [&](double x) {
     return Slope<double>{beta_cdf(x, p, q) - u, boost::math::ibeta_derivative(p, q, x)};
   };

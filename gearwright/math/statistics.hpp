@@ -29,8 +29,8 @@ Moments moments(std::span<const double> samples);
 /// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
 double quantile(std::span<const double> sorted, double p);
 
-/// Two ranks of sorted samples, counted from 1. The p-quantile of the distribution lies between the
-/// samples with these ranks with a given confidence. A rank is absent if there are too few samples.
+/// Two ranks of sorted samples, counted from 1. With a given confidence, the p-quantile of the
+/// distribution lies between the samples with these ranks. A rank is absent for too few samples.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
@@ -45,7 +45,7 @@ struct ConfidenceInterval {
   double lower, upper;
 };
 
-/// The Clopper-Pearson interval for the probability of an event that occurred `count` times in `of`
+/// The Clopper-Pearson interval for the probability of an event that occurred in `count` of `of`
 /// trials.
 ///
 /// Formula   [T14.7]
@@ -69,7 +69,7 @@ Estimate estimate(std::span<const double> replicates);
 /// Domain    an estimate with a standard error, R ≥ 2, 0 < confidence < 1 (contract)
 ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, double confidence);
 
-/// A number for each sample; none for a sample in which it does not exist.
+/// A number for each sample, absent for samples in which the number does not exist.
 using SampleValues = std::vector<std::optional<double>>;
 /// The numbers that exist, in the same order.
 std::vector<double> existing(std::span<const std::optional<double>> values);

@@ -1,7 +1,7 @@
-// A round of Subplex sorts the variables by their last progress and divides them into groups, so
-// that variables with similar progress are together. A simplex search (Nelder and Mead) of each
-// group follows, until the simplex is a quarter of its first size. The next round takes steps in
-// the direction of the progress.
+// Each round of Subplex sorts the variables by their progress in the previous round. It divides
+// them into groups, so that variables with similar progress are in the same group. A simplex search
+// (Nelder and Mead) over each group then runs until the simplex has shrunk to a quarter of its
+// first size. The next round takes steps in the direction of the progress.
 #include "gearwright/math/subplex.hpp"
 
 #include <algorithm>
@@ -15,17 +15,19 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kShrunk = 0.25;      // a simplex search ends at this part of the first size
-constexpr double kLeastFactor = 0.1;  // of the steps from round to round; the greatest is 1/this
+constexpr double kShrunk = 0.25;  // a simplex search ends at this fraction of the first size
+// Least factor by which the steps change from round to round. The greatest factor is its inverse.
+constexpr double kLeastFactor = 0.1;
 constexpr std::size_t kLeastGroup = 2, kMostGroup = 5;
-// A step beyond the box ends at its border, or is reversed if the border is nearer than this part.
+// A step beyond the box ends at the border. If the border is nearer than this fraction of the step,
+// the step is reversed instead.
 constexpr double kWorthAStep = 0.1;
 
 bool close(double a, double b) { return std::abs(a - b) <= 1e-13 * (std::abs(a) + std::abs(b)); }
 
 enum class End { small, spent, no_simplex };
 
-// A group of variables.
+// Part of the minimisation task: the variables of one group.
 struct Group {
   std::vector<double> lo, hi, step;
   std::function<double(const std::vector<double>&)> f;
@@ -63,7 +65,7 @@ class SimplexSearch {
   };
 
   Ranks ranks() const {
-    // Of equal corners, the one with the greater index counts as worse.
+    // Of two corners with equal values, the corner with the greater index counts as worse.
     std::vector<std::size_t> order(corners_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
@@ -77,7 +79,7 @@ class SimplexSearch {
     return sum;
   }
 
-  // Evaluates f at x. False if the trials are then spent.
+  // Evaluates f at x. Returns false if no trials are left afterwards.
   bool tried(const std::vector<double>& x, double& f) {
     f = group_.f(x);
     if (f <= best_.f) best_ = {f, x};
@@ -86,7 +88,7 @@ class SimplexSearch {
     return false;
   }
 
-  // The first step of variable i, which stays in the box.
+  // Returns variable i after its first step. The result lies in the box.
   double stepped(std::size_t i, double x) const {
     const double lo = group_.lo[i], hi = group_.hi[i], reach = std::abs(group_.step[i]);
     double to = x + group_.step[i];
@@ -97,7 +99,7 @@ class SimplexSearch {
     return to > hi ? 0.5 * ((hi - x > x - lo ? hi : lo) + x) : to;
   }
 
-  // Each corner is one step from the best point so far.
+  // Places each corner one step from the best point so far.
   End first_corners() {
     for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
       Corner& corner = corners_[i + 1];
@@ -119,8 +121,8 @@ class SimplexSearch {
     return sum;
   }
 
-  // The point `from` + factor·(from − x), within the box, and its value. False if the point is
-  // `from` or x, or if the trials are spent.
+  // Sets `to` to the point `from` + factor·(from − x), clipped to the box, and to its value.
+  // Returns false if the point is equal to `from` or x, or if the trials are spent.
   bool away(const std::vector<double>& from, double factor, const std::vector<double>& x,
             Corner& to) {
     bool at_from = true, at_x = true;
@@ -142,7 +144,8 @@ class SimplexSearch {
     return goes_on;
   }
 
-  // Replaces the worst corner, or moves all corners towards the best one.
+  // One step of the simplex: replaces the worst corner, or moves all corners towards the best one.
+  // Returns false if the search ends.
   bool moves(const std::vector<double>& middle, std::size_t low, std::size_t next,
              std::size_t high) {
     Corner& worst = corners_[high];
@@ -177,8 +180,9 @@ class SimplexSearch {
   End end_ = End::small;
 };
 
-// The number of variables of the next group, which begins at `first`. At the end of a group, the
-// mean progress falls most. `before` is the progress of the groups before it.
+// Returns the number of variables of the next group, which begins at `first`. The group ends where
+// the mean progress of all variables up to its end exceeds the mean progress of the rest the most.
+// `before` is the sum of the progress of the preceding groups.
 std::size_t group_size(const std::vector<double>& progress, std::size_t first, double before,
                        double whole) {
   const std::size_t n = progress.size();

@@ -13,7 +13,7 @@ class Trials {
  public:
   explicit Trials(const MinimiserTask& task) : task_(&task) {}
 
-  /// Returns f(x), or infinity if f(x) is NaN, which has no order.
+  /// Returns f(x). NaN cannot be compared, so it is replaced by infinity.
   double at(const std::vector<double>& x) {
     ++done_;
     const double f = task_->f(x);

@@ -18,19 +18,18 @@ double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
 
-// Returns the height of a point of the arc, measured from the pitch plane away from the convex
-// gear.
+// Returns the height of a point of the arc above the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
 // Returns the axial position of a point on a gear, without the part r φ tan λ. This part depends on
-// the rotation φ at which the rack cut the point. [T7.13]
+// the rotation φ at which the rack with the lead angle λ cut the point. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
 }
 
-// Returns the radius of curvature of the transverse profile. It is > 0 if n points away from the
-// centre of curvature.
+// Returns the radius of curvature of the transverse profile, from the curvature K of the surface.
+// The radius is > 0 if the normal points away from the centre of curvature.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
   // The tangent u_z t − t_z u of the transverse section. The length of this vector equals the
   // length of the component of n in this section.
@@ -39,8 +38,9 @@ double transverse_radius(const Mat2& k, double theta, double lambda) {
   return -n_t * n_t * n_t / d.dot(k * d);
 }
 
-// Returns ρ_2 − ρ_1, the difference of the radii of two transverse profiles in line contact. ρ_1,
-// l, the pitch radii and sin ψ refer to the transverse section. [T7.10]
+// Returns ρ_2 − ρ_1, the difference of the radii of two transverse profiles in line contact. l is
+// the distance of the contact from the pitch point, and ψ is the angle between the normal and the
+// pitch tangent. All arguments refer to the transverse section. [T7.10]
 double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
                                       double sin_psi) {
   // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
@@ -75,19 +75,18 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
   const double sin_lambda = std::sin(in.lead_angle.rad());
-  // The left side of [T7.16] minus a². The difference of two squares is written as a product, so
-  // that no digits cancel.
+  // The left side of [T7.16] minus the square of the centre distance. The difference of two squares
+  // is written as a product, so that no digits cancel.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
     const double across = w / std::tan(theta) * sin_lambda;
     return (w - change) * (c0 + w + in.center_distance) + across * across;
   };
   // If the excess at the first-order angle is not positive, the first-order angle is the result.
-  // Otherwise the exact angle is slightly greater than the first-order angle.
+  // Otherwise the exact angle is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
-  // If the centre distance changes very little, the exact angle is very close to the first-order
-  // angle. The first step is therefore very short. Each further step is four times as long as the
-  // previous one.
+  // If the centre distance changes very little, both angles are very close to each other. The first
+  // step is therefore very short, and each further step is four times as long as the previous one.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {

@@ -61,8 +61,7 @@ struct ArcContact {
 };
 
 /// Returns the curvature K, at the normal angle θ, of a surface cut by a circular arc of a rack. ρ
-/// and b are signed. `turn` is +1 for the convex gear, which is gear 1 of the frame, and −1 for its
-/// mating gear.
+/// and b are signed. `turn` is +1 for the convex gear (gear 1 of the frame), and otherwise −1.
 ///
 /// Units     mm, rad
 /// Formula   [T7.14]
@@ -78,9 +77,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in);
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
 // The tool setting is b_F, the b of the rack that cuts the convex teeth of circular-arc gears. The
-// first function computes the change of the tool setting that restores the contact after a change
-// of the centre distance. The second function computes how this correction changes the tooth
-// thickness.
+// first function computes the change of b_F that restores the contact after a change of the centre
+// distance. The second function computes the effect of this change on the tooth thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
 //   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance along the centre line between the points of
@@ -94,9 +92,9 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 /// Domain    0 < θ < π/2 (contract)
 double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_distance);
 
-/// Returns the change of the normal thickness of the convex tooth that Δb_F causes, mm. It is < 0
-/// if the tooth becomes thinner. The thickness is measured at the height of the point with the
-/// normal angle θ.
+/// Returns the change of the normal thickness of the convex tooth that Δb_F causes, mm. The change
+/// is < 0 if the tooth becomes thinner. The thickness is measured at the height of the point with
+/// the normal angle θ.
 ///
 /// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
 double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);

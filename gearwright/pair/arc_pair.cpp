@@ -20,7 +20,7 @@ std::vector<WorkingArc> working(const Gear& gear, double side) {
   std::vector<WorkingArc> list;
   for (const RackArc& arc : gear.arc_cutter()->arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
-    // [T7.1], [T7.2], solved for the working arc.
+    // The formulas [T7.1] and [T7.2], solved for the working arc.
     const double middle = side > 0.0 ? 0.0 : kPi / 2;
     list.push_back({std::abs(arc.radius) * m,
                     -side * (arc.center_offset * m + thinner) + side * middle * m,

@@ -41,8 +41,8 @@ struct ArcPair : MountedGears {
   double contact_ratio() const;            ///< ε_β times the number of contacts
   double contact_ratio_true() const { return contact_ratio(); }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
-  /// Returns the contact with the least angular backlash, which touches first. Domain: there are
-  /// contacts
+  /// Returns the contact that touches first, which has the least angular backlash.
+  /// Domain: there are contacts
   const ArcPairContact& first_contact() const;
 };
 

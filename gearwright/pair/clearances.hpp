@@ -14,9 +14,8 @@
 
 namespace gearwright {
 
-/// An overlap of at most this fraction of the base pitch is a rounding error and counts as no
-/// interference. Such an overlap occurs if one gear has cut the other, because their clearance is
-/// then 0.
+/// An overlap of at most this fraction of the base pitch is a rounding error and no interference.
+/// It occurs if one gear has cut the other, because their clearance is then 0.
 constexpr double kNoCollision = 1e-11;
 
 /// Returns the clearances c on the centre line, mm, first from tip 1 to root 2, then from tip 2 to
@@ -25,8 +24,8 @@ std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
                                      const std::array<double, 2>& root_radius,
                                      double center_distance, double side);
 
-/// The extended centre distance a_d + σ (x1 + x2) m_n, mm. The difference of the centre distance from
-/// it, times σ, is the tip shortening. [T2.18], [T2.21]
+/// The extended centre distance a_d + σ (x1 + x2) m_n, mm. The tip shortening is σ times the
+/// difference between the actual and the extended centre distance. [T2.18], [T2.21]
 double extended_center_distance(const Gear& gear_1, const Gear& gear_2);
 
 /// Returns d_Nf/2 of each gear, mm, or none if the mating tip extends beyond the base tangent
@@ -35,11 +34,11 @@ std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>&
                                                         const Mesh<double>& mesh);
 
 /// Returns the tip diameter of gear `tip` (1 or 2) that keeps contact on the usable flank of the
-/// mating gear. With this diameter, contact ends at the radius at which the usable flank starts,
-/// plus `margin` mm. Returns none if the present tip diameter already has this effect, or if the
-/// mating gear has no usable flank or no outline.
+/// mating gear. Contact then ends `margin` mm above the radius at which the usable flank starts.
+/// Returns none if the present tip is already short enough, or if the mating gear has no usable
+/// flank or no outline.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
-/// The same for two gears and their mesh, which need not be mounted.
+/// Works like the function above, for two gears that need not be mounted.
 std::optional<double> tip_that_clears(const std::array<const Gear*, 2>& gears,
                                       const Mesh<double>& mesh, int tip, double margin);
 

@@ -14,8 +14,8 @@ constexpr double kHalfTurn = std::numbers::pi;
 
 using namespace leaf;
 
-// Divides the bits of x by three. The function uses the same shifts as closed_forms_simd.cpp. The
-// shifts are necessary there, because vector instructions have no integer division.
+// Divides the bits of x by three. The function uses the same shifts as closed_forms_simd.cpp, which
+// needs them because vector instructions have no integer division.
 double third_of_bits(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);

@@ -4,8 +4,7 @@
 //   y    given value of inv α        s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// At run time, the program uses the best instruction set of the processor, as in
-// design/candidate.hpp. If a row lies outside the domain, its result is NaN.
+// If a row lies outside the domain, its result is NaN.
 //
 //   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit,
 //             on any machine

@@ -1,5 +1,4 @@
-// Implements pair/closed_forms.hpp without Google Highway. The formulas are computed with plain
-// doubles.
+// Implements pair/closed_forms.hpp with plain doubles, without Google Highway.
 #include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright {

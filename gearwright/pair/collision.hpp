@@ -1,8 +1,8 @@
-// Collisions of two finished outlines. There are two kinds of collision. Either the bodies overlap,
-// or parts other than the flanks touch while the gears can still turn.
+// Collisions of two finished outlines. In a collision, either the bodies overlap, or parts other
+// than the flanks touch while the gears can still turn.
 //
 // Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp are
-// based on circles and corners. They only explain collisions.
+// based on circles and corners, and are used only to explain collisions.
 #pragma once
 
 #include <optional>
@@ -33,8 +33,8 @@ struct Collision {
   double depth;  ///< mm along the common normal. For an overlap, its depth in the middle of the
                  ///< play. For a contact beyond the flank, the distance by which this contact
                  ///< precedes the contact of the flanks
-  std::optional<OutlineTouch> touch;  ///< position of the contact; none if a circle, and not the
-                                      ///< outlines, shows the collision
+  std::optional<OutlineTouch> touch;  ///< position of the contact; none if the collision
+                                      ///< was found from a circle
   std::string message;                ///< one sentence
 };
 

@@ -8,8 +8,7 @@
 //   X    distance of the two pitch planes, mm, X = σ (a − r_2 − σ r_1)
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Spur, helical and crossed pairs differ only in the α_n of this rack. pair/working_angles.hpp
-// computes α_n.
+// Spur, helical and crossed pairs differ only in the α_n of this rack (pair/working_angles.hpp).
 #pragma once
 
 #include <array>
@@ -27,8 +26,7 @@ T side_of(const BasePair<T>& gears) {
   return side_of(gears[1]);
 }
 
-/// Returns β_b1 and σ β_b2, rad, the base helix angles with the signs that they have in Σ = β_1 + σ
-/// β_2.
+/// Returns the base helix angles β_b1 and σ β_b2, rad, with the signs of Σ = β_1 + σ β_2.
 template <class T>
 std::array<T, 2> adding_helix_angles(const BasePair<T>& gears) {
   return {gears[0].helix_angle, side_of(gears) * gears[1].helix_angle};
@@ -140,8 +138,7 @@ CommonRack<T> common_rack(const BasePair<T>& gears, const RackAngles<T>& angles)
   return rack;
 }
 
-/// Returns the centre distance without backlash, a = r_2 + σ (r_1 + X). The formula avoids
-/// cancellation.
+/// Returns the centre distance without backlash, a = r_2 + σ (r_1 + X), without cancellation.
 ///
 /// Formula   a = r_b2 α_t2/sin α_t2 + σ (r_b1 α_t1/sin α_t1 + K/(2 sin α_n)); [T4.9], [T4.11]
 /// Accuracy  ledger row `crossed.center_distance`

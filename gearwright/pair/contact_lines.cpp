@@ -24,9 +24,9 @@ ContactLineRange contact_line_range(double transverse_ratio, double overlap_rati
   const double r_alpha = transverse_ratio - whole;
   if (overlap_ratio == 0.0) return {whole, r_alpha > 0.0 ? whole + 1.0 : whole};
   const double r_beta = overlap_ratio - std::floor(overlap_ratio);
-  // The variation depends only on the fractional parts r_α and r_β of the two ratios. Consider two
-  // arcs of the lengths r_α and r_β on a circle of the circumference 1. λ ε_β is a constant plus
-  // the length that both arcs have in common. The mean of this length is r_α r_β.
+  // The variation depends only on the fractional parts r_α and r_β of the contact ratios ε_α and
+  // ε_β. Consider two arcs of the lengths r_α and r_β on a circle of the circumference 1. λ ε_β is
+  // a constant plus the length that both arcs have in common, whose mean is r_α r_β.
   const double mean = r_alpha * r_beta;
   const double most = std::min(r_alpha, r_beta);
   const double least = std::max(0.0, r_alpha + r_beta - 1.0);

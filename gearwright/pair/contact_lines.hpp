@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// Returns λ(τ). At τ = 0, a tooth begins contact at one end of its face. At τ = ε_α + ε_β, it
-/// leaves contact at the other end.
+/// Returns λ(τ). At τ = 0, a tooth begins contact at one end of its face. At τ = ε_α + ε_β, the
+/// same tooth leaves contact at the other end.
 ///
 /// Formula   λ = Σ_k |[τ + k − ε_β, τ + k] ∩ [0, ε_α]|/ε_β over all whole k; on spur gears the
 ///           number of k with 0 ≤ τ + k < ε_α; [T9.14]

@@ -57,7 +57,7 @@ struct TipPoint {
 
 /// The gap between a point of the tip of A and the outline of B.
 struct TipGap {
-  double value = std::numeric_limits<double>::infinity();  // turn of B
+  double value = std::numeric_limits<double>::infinity();  // rotation of B that closes the gap, rad
   double side = 1.0;
   double arm = 0.0;
   double turn_a = 0.0;
@@ -114,8 +114,8 @@ class TipMotion {
   double start_;
 };
 
-// Returns a ψ at which `beyond` is still negative, next to the change of its sign. `beyond` is
-// negative at `deepest` and not negative at `away`.
+// Returns a ψ next to the zero of `beyond`, at which `beyond` is still negative. `beyond` must be
+// negative at `deepest` and must not be negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {
   constexpr int kHalvings = 50;
@@ -127,13 +127,14 @@ double crossing(const F& beyond, double deepest, double away, double z) {
   return in;
 }
 
-/// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the tip
-/// cylinder. If no point of the tip cylinder lies within the form cylinder of B, outside() returns
-/// an empty GapOver.
+/// The gap as a function of (u, v) in [−1, 1]². outside() and inside() map (u, v) to a point of the
+/// tip cylinder. outside() returns an empty GapOver if no point of the tip cylinder lies within the
+/// form cylinder of B.
 using GapOver = std::function<TipGap(double, double)>;
 
-/// For external pairs, u maps to ψ, measured from the direction of the axis of B. The part of the
-/// tip cylinder within the form cylinder of B is a strip. v maps to the position across this strip.
+/// Returns the gap of an external pair. u maps to ψ, measured from the direction of the axis of B.
+/// The part of the tip cylinder within the form cylinder of B is a strip, and v maps to the
+/// position across this strip.
 GapOver outside(const TipMotion& motion, double distance) {
   const double form = motion.b().form_radius;
   const Vec3 axis = motion.axis();
@@ -151,9 +152,9 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// For internal pairs, v maps to the height z on the face of A, and u maps to ψ on the tip circle
-/// at this height. Only the part of the tip circle on the root side of the radius `limit` of B is
-/// used.
+/// Returns the gap of an internal pair. v maps to the height z on the face of A, and u maps to ψ on
+/// the tip circle at this height. Only the part of the tip circle on the root side of the radius
+/// `limit` of B is used.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
@@ -164,8 +165,8 @@ GapOver inside(const TipMotion& motion, double limit) {
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  // The range of ψ in which the points lie on the root side of `limit`, and the ψ of the point that
-  // lies farthest on the root side. There is no Window if all points lie on the other side.
+  // A range of ψ in which the points lie on the root side of `limit`, and the ψ of the point that
+  // lies farthest on this side. If all points lie on the other side, no Window exists.
   struct Window {
     double deepest, lo, hi;
   };
@@ -209,8 +210,7 @@ std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
 }
 
 // Searches for the minimum from a node. Each step goes to the minimum of the quadratic function
-// through nine points around the current point. The distance h of these points decreases from step
-// to step.
+// through nine points around the current point, whose distance h decreases from step to step.
 TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   constexpr int kSteps = 14;
   constexpr double kCloser = 0.4;
@@ -315,8 +315,8 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.arm = i == 0 ? gap.arm : gap.arm / std::abs(ratio);
       if (least && least->gap <= t.gap) return;
       const double turn_b = gap.side * gap.value;
-      // For the tip of gear 2, the gap is a turn of gear 1. Both gears are therefore turned back
-      // together until gear 1 is at its original rotation.
+      // For the tip of gear 2, the gap is a rotation of gear 1. Both gears are therefore turned
+      // back together until gear 1 is at its original rotation.
       const double turn_1 =
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;
       t.rotation_1 = -std::remainder(turn_1, 2 * kPi / bodies[0].teeth);

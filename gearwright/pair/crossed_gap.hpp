@@ -3,9 +3,9 @@
 // Internal to pair/.
 //
 // On crossed axes, every section is different. While the gear of the tip rotates, the edge of a tip
-// corner sweeps the whole tip cylinder. Only the points of the tip cylinder inside the form
-// cylinder of the mating gear matter. The edge passes such a point at the rotation ω_A, and the gap
-// there is g. Both have closed forms:
+// corner sweeps the whole tip cylinder. Only the points of this cylinder inside the form cylinder
+// of the mating gear matter. The edge passes such a point at the rotation ω_A, where the gap is g.
+// Both ω_A and g have closed forms:
 //
 //   A, B   the gear of the tip and its mating gear     θ_c   half angle of the tip corner
 //   ψ, z   azimuth and height on the tip cylinder of A     ω_A = ψ − θ_c − 2π z/p_zA
@@ -18,9 +18,9 @@
 
 namespace gearwright::detail {
 
-/// Returns the least gap between each tip (corner or rounded) and the mating fillet, as a turn of
-/// gear 2. For internal pairs, the gap between the tip and the whole mating tooth is included if it
-/// is less than the gap to the fillet.
+/// Returns the least gap between each tip (corner or rounded) and the mating fillet, as a rotation
+/// of gear 2. For internal pairs, the gap between the tip and the whole mating tooth is included if
+/// it is less than the gap to the fillet.
 ///
 /// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
 /// Domain    crossed axes and two gears with a tooth (contract); tips above the mating roots

@@ -27,9 +27,9 @@ std::optional<double> face_width_needed(const ParallelPair& pair);
 /// Returns the face width at which ε_β = 1, mm, or none for a spur pair.
 std::optional<double> face_width_for_overlap(const ParallelPair& pair);
 
-/// Returns ρ_1 at the start and the end of contact, mm. These are usually A and E. On parallel
-/// axes, if undercut has removed a part of a flank, contact on this flank ends at the end of the
-/// clipped path. If no part of the path remains, the function returns A and E.
+/// Returns ρ_1 at the start and the end of contact, mm. These points are usually A and E. If
+/// undercut has removed a part of a flank on parallel axes, contact on this flank ends at the end
+/// of the clipped path. If no part of the path remains, the function returns A and E.
 std::array<double, 2> contact_ends(const InvolutePair& pair);
 
 /// The parts of the transverse contact ratio before the pitch point (approach) and after it

@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// A vector in the common tangent plane of the flanks. It is a linear function of s = ρ_1 − ρ_0,
-// where ρ_0 is the origin of s.
+// A vector in the common tangent plane of the flanks, as a linear function `at` + s · `slope` of
+// the position s on the path of contact.
 struct Linear {
   Vec2 at, slope;
   Linear from(double s) const { return {at + s * slope, slope}; }

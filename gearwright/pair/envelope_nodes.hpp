@@ -24,8 +24,8 @@
 namespace gearwright::detail {
 
 /// Returns the zero of f to within `near`, by false position with occasional halving. f has
-/// different signs at lo and hi and need not be smooth. The returned argument is on the side of the
-/// zero at which f does not have the sign of `against`.
+/// different signs at lo and hi and need not be smooth. At the returned argument, the sign of f
+/// differs from the sign of `against`.
 template <class F>
 double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
                     double against) {

@@ -92,8 +92,8 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
   // At the foot of p, the vector to p is perpendicular to the arc. The distance is therefore exact,
-  // although only half of the digits of u are accurate. The space lies to the left of the arc. On a
-  // tooth of an internal gear, the space lies to the right.
+  // although only half of the digits of u are accurate. The space lies to the left of the arc, or
+  // to the right of the arc if the tooth belongs to an internal gear.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   const double least = std::min(at_node, distance(u));
@@ -163,8 +163,7 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
   };
   for (const Corner& corner : tip_corners(mate)) take(clearance_of(corner));
   if (!mate.tooth) return least;
-  // The point of a rounded tip that is closest to the fillet may lie between the ends of the
-  // rounding.
+  // The point of a rounded tip that is closest to the fillet may lie within the rounding.
   for (const Arc& arc : mate.tooth->outline.arcs) {
     if (arc.name != ArcName::tip_fillet) continue;
     const auto at = [&](double u) {

@@ -26,8 +26,8 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// Returns the distance from p to the radius ρ, along the circle of curvature. If this circle does
-// not reach ρ, the result is the Newton step for ρ² along the tangent.
+// Returns the arc length from p to the radius ρ, measured on the circle of curvature at p. If this
+// circle does not reach ρ, the result is the step of Newton's method for ρ² along the tangent.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;
@@ -123,8 +123,8 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // If the angle between two arcs is smaller than this, there is no corner. The angle is then a
-  // rounding error, or contact of the arcs is practically the same as contact of the blunt corner.
+  // If the angle between two arcs is smaller than this, there is no corner. Such an angle is a
+  // rounding error, or the corner is so blunt that an arc touches in place of the corner.
   constexpr double kSmooth = 1e-7;  // rad
   // The mating gear cannot reach a concave corner. At an angle near half a turn, the corner may be
   // a cusp, and rounding determines the sign of the angle. Such a corner is included, because an

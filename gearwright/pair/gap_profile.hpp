@@ -63,8 +63,7 @@ class GapProfile {
   double root_radius() const { return root_radius_; }
   const std::vector<ProfileArc>& arcs() const { return arcs_; }
   const std::vector<ProfileCorner>& corners() const { return corners_; }
-  /// Returns the arc that has points at this radius. Returns null if the radius lies beyond root or
-  /// tip.
+  /// Returns the arc that has points at this radius, or null beyond root and tip.
   const ProfileArc* arc_at(double rho) const;
 
  private:

@@ -20,7 +20,7 @@ double noise(const InvolutePair& p) {
 }
 
 // Reports that a tip reaches beyond the flank of the mating gear. If undercut has removed this part
-// of the flank, contact is lost there. If not, the tip interferes.
+// of the flank, contact is lost there. Otherwise the tip interferes.
 void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
@@ -53,7 +53,7 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
   const double cosine = std::cos(p.shaft_angle.rad());
   const double sine = std::abs(std::sin(p.shaft_angle.rad()));
   // Returns the distance of the tip cylinder from the mating axis at the angle ψ from the mesh. For
-  // the tip of the pinion, which points outwards, the distance is negated. The least value then
+  // the tip of the pinion, which points outwards, the distance is negated, so that the least value
   // always belongs to the point closest to the mating roots. The sign of y does not matter, because
   // the pair is symmetric about the centre line.
   const auto distance = [&](double psi) {

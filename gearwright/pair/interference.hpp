@@ -6,29 +6,28 @@
 
 namespace gearwright::detail {
 
-/// Computes contact root diameters and form clearances. It may add the findings `base_tangent`,
-/// `form_circle` or `contact_lost_to_undercut`.
+/// Computes contact root diameters and form clearances. The function may add the findings
+/// `base_tangent`, `form_circle` or `contact_lost_to_undercut`.
 void find_form_clearance(InvolutePair& pair);
-/// Computes the clearances between tips and roots. It may add the findings `no_tip_clearance` or
-/// `root`. In an internal pair on crossed axes, the clearances are least at an end of a face.
-/// [T2.23], [T4.37]
+/// Computes the clearances between tips and roots. The function may add the findings
+/// `no_tip_clearance` or `root`. In an internal pair on crossed axes, the clearances are least at
+/// an end of a face. [T2.23], [T4.37]
 void find_tip_clearance(InvolutePair& pair);
 /// Computes the margins of an internal pair against involute, trochoid and trimming interference.
 /// [T2.27], [T2.28]
 void find_internal_margins(ParallelPair& pair);
-/// Computes the clearances between tip corners and fillets. It may add the finding `tip_to_fillet`.
-/// [T2.26]
+/// Computes the clearances between tip corners and fillets. The function may add the finding
+/// `tip_to_fillet`. [T2.26]
 void find_fillet_clearance(ParallelPair& pair);
 /// Finds overlap of the outlines and contact beyond the flanks, and computes the free play.
-/// `half_play` is half the play of the flanks as a turn of gear 2. `normal_play` is the whole
+/// `half_play` is half the play of the flanks as a rotation of gear 2. `normal_play` is the whole
 /// play along the normal, mm. [T2.29]…[T2.33]
 ///
 /// Domain    parallel axes, and both gears with a tooth
 void find_collisions(MountedGears& pair, double half_play, double normal_play);
-/// Calls find_collisions() for an involute pair. On crossed axes, only tips are compared with the
-/// mating gear: with its fillets [T4.33] and, if one gear is internal, also with its flanks. The
-/// function then removes from `interference` all findings that do not explain an overlap, so it must
-/// be called last.
+/// Calls find_collisions() for an involute pair. On crossed axes, tips are compared only with the
+/// mating fillets [T4.33] and, if one gear is internal, with the mating flanks. The function then
+/// removes all findings that do not explain an overlap from `interference`, so it is called last.
 void find_overlap(ParallelPair& pair);
 void find_overlap(CrossedPair& pair);
 

@@ -117,8 +117,9 @@ void warn_about_collisions(InvolutePair& p) {
 // centre distance exceeds this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
-// Checks that the pinion lies inside the internal gear, and that L > 0. If L > 0, the curvature of
-// the pinion's flanks exceeds the curvature of the internal gear's flanks. [T4.34]
+// Checks that the pinion lies inside the internal gear, and that the distance L of the base tangent
+// points is positive. If L > 0, the flanks of the pinion are more curved than the flanks of the
+// internal gear. [T4.34]
 std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
   const BasePair<double>& gears = p.input.gears;
   const auto& sides = rack.sides;

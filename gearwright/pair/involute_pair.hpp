@@ -114,8 +114,9 @@ MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairP
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
 /// Returns the positions at which the contact ratio of a crossed external pair is at least 1.
-/// Returns none if there are no such positions. Also returns none for internal pairs, because their
-/// L is not a convex function. [T4.23]
+/// Returns none if there are no such positions, and for internal pairs. For internal pairs, the
+/// distance of the base tangent points is not a convex function, so there may be several ranges.
+/// [T4.23]
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
 
 /// Returns the position of two involute gears. Values that are absent in `spec` are computed.

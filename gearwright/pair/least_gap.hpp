@@ -4,11 +4,11 @@
 //
 //   g   gap at the parameter t        H   function that is zero where g is stationary
 //
-// g is evaluated at even steps. Between two neighbouring samples, the search assumes that g lies
-// below the chord by at most half of the second difference. For comparison, a parabola lies below
-// its chord by an eighth of the second difference. If a cell may contain a value below the least
-// known value, the cell is halved. If H changes its sign in the cell, the cell is divided at H = 0
-// instead.
+// g is evaluated at even steps. A cell is the interval between two neighbouring samples. The search
+// assumes that g lies below the chord of a cell by at most half of the second difference. For
+// comparison, a parabola lies below its chord by an eighth of the second difference. If a cell may
+// contain a value below the least known value, the cell is halved. If H changes its sign in the
+// cell, the cell is divided at H = 0 instead.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@ namespace gearwright::detail {
 struct GapSample {
   double gap = 0.0;
   double slope = 0.0;  ///< H, zero where g is stationary; only its sign matters
-  double noise = 0.0;  ///< rounding of the gap, rad
+  double noise = 0.0;  ///< rounding error of the gap, rad
 };
 
 /// A Sampler has two members. GapSample sample(double t) evaluates the gap and records the least
-/// value. double known() returns a limit; gaps above this limit are not needed.
+/// value. double known() returns a limit above which gaps need not be exact.
 template <class Sampler>
 class LeastGap {
  public:

@@ -1,4 +1,4 @@
-// Computes all quantities with a closed form of two involute gears in mesh, at any shaft angle.
+// Computes all quantities with a closed form of two involute gears in mesh at any shaft angle.
 //
 //   n    common normal of the leading flanks, along which the contact moves
 //   ρ_1  curvature radius of flank 1 in its transverse section, the parameter of the line of action
@@ -10,8 +10,8 @@
 //        axes. The common perpendicular passes through the middle of the face
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// The α_n of the rack and the distance X describe every pair. On crossed axes, α_n follows from Σ,
-// and X follows from a. On parallel axes, α_n follows from a, and X is 0.
+// Every pair is described by the α_n of the rack and the distance X. On crossed axes, α_n follows
+// from Σ, and X follows from a. On parallel axes, α_n follows from a, and X is 0.
 #pragma once
 
 #include <array>
@@ -190,7 +190,7 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
         m.sigma * (in.center_distance - sides[1].pitch_radius) - sides[0].pitch_radius;
     m.line_offset = -m.pitch_plane_distance * m.rack.angles.cos_alpha /
                     (m.rack.angles.sin_alpha * (sides[0].tan_helix + m.sigma * sides[1].tan_helix));
-    // L c_1, L = ρ_2C/c_2 + σ (ρ_1C/c_1 + X/sin α_n).
+    // N = L c_1, where L = ρ_2C/c_2 + σ (ρ_1C/c_1 + X/sin α_n) is measured along n.
     m.base_tangent_distance = m.sigma * m.pitch_point_curvature[0] +
                               m.pitch_point_curvature[1] * c_1 / c_2 +
                               m.sigma * m.pitch_plane_distance * c_1 / m.rack.angles.sin_alpha;
@@ -220,8 +220,8 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   return m;
 }
 
-/// Two face widths for each gear on crossed axes, mm. A face of the width f contains the line of
-/// action of one flank. A face of the width f' contains the lines of action of both flanks, if the
+/// Two face widths of each gear on crossed axes, mm. A face of the width f contains the line of
+/// action of one flank. A face of the width f' contains the lines of action of both flanks if the
 /// middle of the face is on the common perpendicular.
 ///
 /// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]

@@ -24,16 +24,16 @@ struct MountedGears {
   Angle shaft_angle;                       ///< Σ    0 on parallel axes
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
   std::optional<double> speed_rpm{};       ///< n_1  1/min, if given
-  /// Places at which the bodies would overlap in the middle of the play, the deepest first. None if
-  /// the overlap was not computed, because the leads differ or the cutter of an internal gear is
-  /// unknown. On crossed axes, only tips are compared with the mating gear
+  /// Collisions in which the bodies overlap although gear 2 is in the middle of its play, the
+  /// deepest first. None if the overlap was not computed, because the leads differ or the cutter of
+  /// an internal gear is unknown. On crossed axes, only tips are compared with the mating gear
   std::optional<std::vector<Collision>> overlap{};
-  /// Contacts outside the flanks without overlap. While such parts are in contact, the transmission
-  /// ratio is not constant.
+  /// Contacts of parts other than the flanks, without overlap. During such a contact, the
+  /// transmission ratio is not constant.
   std::vector<Collision> beyond_flank{};
   /// The angle through which gear 2 can turn without a collision. It is at most the play of the
-  /// flanks, and it is < 0 if the bodies overlap in every position. None if it was not computed, or
-  /// if a tip extends below the mating root circle
+  /// flanks. It is < 0 if the bodies overlap in every position. None if the angle was not computed,
+  /// or if a tip extends below the mating root circle
   std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 
@@ -43,8 +43,7 @@ struct MountedGears {
   bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
   /// Returns the whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical
-  /// gears, the result includes both halves and the gap. If the gaps of the gears differ, the wider
-  /// gap is used.
+  /// gears, the result includes both halves and the wider of the gaps of both gears.
   double whole_face(double face) const;
   /// σ Σ. Axis 2 has the direction (0, sin σΣ, cos σΣ). [T1.8]
   Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0

@@ -4,8 +4,8 @@
 //   A, B   the two gears; A moves in the frame of B, and either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
 //   ψ      angle of this point in the space of B, from the middle of the space
-//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; if B is gear 1, it is converted to a turn of
-//                                gear 2 by the factor z_1/z_2
+//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a rotation of B, rad; if B is gear 1, it is converted to a
+//                                rotation of gear 2 by the factor z_1/z_2
 //   k        −1 if A is an internal gear, otherwise 1      ε = −σ,  κ = σ |z_A/z_B|
 //
 // The mesh lies at +x of the axis of A. A tooth of A is in the middle of a space of B at φ = 0, and
@@ -58,7 +58,7 @@ struct Motion {
   double k, epsilon, kappa;
   double pitch_radius;  ///< pitch radius of A
   double half_pitch;    ///< π/z_B
-  double unit;          ///< factor from a turn of B to a turn of gear 2
+  double unit;          ///< factor from a rotation of B to a rotation of gear 2
   double to_arm;        ///< factor from an arm about the axis of B to an arm about axis 2
 
   Motion(const GapProfile& m, const GapProfile& b, Table& t, double distance, bool first)
@@ -76,7 +76,7 @@ struct Motion {
   }
 
   struct Gap {
-    double value;  ///< gap as a turn of B
+    double value;  ///< gap as a rotation of B, rad
     double side;   ///< sign of ψ
     double lost;   ///< greatest possible rounding error of the value
   };
@@ -95,7 +95,7 @@ struct Motion {
     return first_moves ? i * OutlineGap::kNames + j : j * OutlineGap::kNames + i;
   }
 
-  /// Returns a limit, as a turn of B. Gaps above this limit are not needed.
+  /// Returns a limit, as a rotation of B, above which gaps need not be exact.
   double known(int e) const {
     const auto& touch = table.at(e);
     return (touch ? std::min(touch->gap, table.limit) : table.limit) / unit;
@@ -110,7 +110,7 @@ struct Motion {
     OutlineTouch t;
     t.gap = value;
     t.arm = arm * to_arm;
-    const double turn = -gap.side * gap.value;  // turn of B, counter-clockwise
+    const double turn = -gap.side * gap.value;  // rotation of B, counter-clockwise
     double phi_1 = phi;
     if (first_moves) {
       t.turn_2 = turn;
@@ -146,10 +146,10 @@ class ArcFamily {
   EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
-    // With respect to arc length, s′ = 1 + k q and τ′ = k, where k is the curvature here. The slope
-    // of the envelope is infinite where both branches meet, so it is multiplied by |sin(τ + φ)|,
-    // which is 0 there. k is infinite where an involute begins, so the slope is also multiplied by
-    // `scale`. Along an involute, s′ is 0 within rounding.
+    // With respect to arc length, s′ = 1 + k q and τ′ = k (gap_profile.hpp), where k is the
+    // curvature of the outline. The slope of the envelope is infinite where both branches meet, so
+    // it is multiplied by |sin(τ + φ)|, which is 0 there. k is infinite where an involute begins,
+    // so the slope is also multiplied by `scale`. Along an involute, s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
         scale > 0.0 ? p.curvature * scale : std::copysign(1.0 / m_.pitch_radius, p.curvature);
@@ -197,8 +197,8 @@ class ArcFamily {
   int entry_ = 0;
 };
 
-/// The gap between a corner of A and an arc of B, as a function of t. The parameter of the arc is u
-/// = u_0 + (1 − u_0) t². [T2.32]
+/// The gap between a corner of A and an arc of B, as a function of t. t gives the parameter of the
+/// arc, u = u_0 + (1 − u_0) t². [T2.32]
 class CornerFamily {
  public:
   CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)
@@ -236,7 +236,7 @@ class CornerFamily {
     const Vec2 p(corner_.rho * c, corner_.rho * s);
     const Vec2 d(m_.k * m_.a + m_.epsilon * p.x(), m_.epsilon * p.y());
     const auto gap = m_.gap_of(b, std::atan2(d.y(), d.x()) + m_.kappa * phi);
-    // D'/D with D' = iε ρ_c e^{iw}.
+    // `radial` and `across` are the parts of D'/D, D' = iε ρ_c e^{iw}, for the corner's radius ρ_c.
     const double square = d.squaredNorm();
     const double radial = m_.epsilon * (p.x() * d.y() - p.y() * d.x()) / square;
     const double across = m_.epsilon * (p.x() * d.x() + p.y() * d.y()) / square;
@@ -272,8 +272,7 @@ void collide_with_corners(const Motion& motion) {
   }
 }
 
-// Divides an arc of A into parts that each meet one arc of B, and searches each part for its least
-// gap.
+// Divides an arc of A into parts that each meet one arc of B, and finds the least gap of each.
 void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
   ArcFamily family(motion, arc, branch);
   const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });
@@ -281,8 +280,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double lo = std::min(b.rho_root, b.rho_tip);
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
-    // The next arc of B continues where this arc ends, so a small error of the crossing has no
-    // effect.
+    // The next arc of B continues where this arc ends, so small errors of the crossing do no harm.
     constexpr double kNear = 1e-7;  // accuracy of u
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
       return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
@@ -306,8 +304,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
         if (last) end_at(last->u);
         if (meets(two.radius)) begin_at(two.u);
       } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
-        // The envelope enters the range of radii of b from below or above, or passes through the
-        // whole range.
+        // The envelope enters the range of radii of b, or passes through the whole range.
         if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
           begin_at(crossing(one, two, one.radius < lo ? lo : hi));
         if (!meets(two.radius) && inside) end_at(crossing(one, two, two.radius < lo ? lo : hi));

@@ -3,7 +3,7 @@
 // method finds every part of the outlines that projects too far.
 //
 //   φ      rotation of the pair            a    centre distance, mm
-//   g      gap, as the turn of gear 2 that closes it, rad; < 0 if the outlines overlap
+//   g      gap, as the rotation of gear 2 that closes it, rad; < 0 if the outlines overlap
 //   h      arm of the common normal about axis 2, mm; g h is the gap along the normal
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.29]…[T2.33]
 #pragma once
@@ -27,14 +27,14 @@ struct OutlineTouch {
   double gap = std::numeric_limits<double>::infinity();  ///< g  rad
   double arm = 0.0;                                      ///< h  mm
   double rotation_1 = 0.0;  ///< rotation of gear 1 at the touch, clockwise, within half a pitch
-  double turn_2 = 0.0;      ///< ±g, the counter-clockwise turn of gear 2 that closes the gap
+  double turn_2 = 0.0;      ///< ±g, the counter-clockwise rotation of gear 2 that closes the gap
   Vec2 point{0.0, 0.0};     ///< position in the housing frame, mm
   double height = 0.0;      ///< position along axis 1, mm; 0 on parallel axes
   std::array<OutlinePlace, 2> places{};
 
-  /// Returns the distance between the two places, mm along the common normal, to first order. Gear
-  /// 2 has been turned by `play` from the middle of its play towards the touch. If the distance is
-  /// < 0, its magnitude is the depth of the overlap.
+  /// Returns the distance between the two touching points, mm along the common normal, to first
+  /// order. `play` is the rotation of gear 2 from the middle of its play towards the touch. If the
+  /// distance is < 0, its magnitude is the depth of the overlap.
   double distance(double play = 0.0) const { return (gap - play) * arm; }
 };
 
@@ -44,8 +44,8 @@ struct OutlineGap {
   std::array<Row, kNames> touches;  ///< least gap for each pair of arc names, [gear 1][gear 2]
 
   const std::optional<OutlineTouch>& of(ArcName arc_1, ArcName arc_2) const;
-  /// Returns the touch with the least gap, or none if the gears do not reach each other. Twice this
-  /// gap is the true play.
+  /// Returns the touch with the least gap, or none if the gears do not reach each other. The true
+  /// play is twice this gap.
   std::optional<OutlineTouch> least() const;
   /// Returns the touch with the least gap, except touches of a flank with a flank.
   std::optional<OutlineTouch> least_beyond_flanks() const;

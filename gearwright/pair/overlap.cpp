@@ -1,8 +1,8 @@
 // Finds overlaps and contacts beyond the flanks from the gaps between the two finished outlines.
 //
-//   g_f    gap of the flanks: half their play, as a turn of gear 2     g  gap of two other arcs
-//   early  (g_f − g) h, mm along the common normal: distance by which these arcs are nearer than
-//          the flanks. If `early` is > 0, these arcs touch before the flanks do
+//   g_f    gap of the flanks: half their play, as a rotation of gear 2     g  gap of two other arcs
+//   h      arm of the common normal of these arcs about axis 2, mm
+//   early  (g_f − g) h, mm along the normal; if early > 0, the arcs touch before the flanks do
 //
 // If g < 0, the arcs overlap by −g h even in the middle of the play. [T2.34]
 #include <fmt/format.h>
@@ -245,9 +245,8 @@ std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
 
 // Depth to which the flanks overlap beside the line of action, mm. To second order, the depth grows
 // with the square of the distance from the contact, and at the distance b/2 it equals the needed
-// lead crowning. The contact lies up to f'/2 from the middle of the face, so no point of the face
-// is farther than (b + f')/2 from the contact. Higher orders add less than half of the second-order
-// depth.
+// lead crowning. The contact lies up to f'/2 from the middle of the face, so every point of the
+// face is within (b + f')/2 of the contact. Higher orders add less than half of this depth.
 double saddle_depth(const CrossedPair& p) {
   constexpr double kHigherOrders = 1.5;
   double depth = 0.0;

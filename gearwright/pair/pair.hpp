@@ -70,9 +70,8 @@ class Pair {
 };
 
 /// Mounts any two gears. If `spec` gives neither a centre distance nor a shaft angle, and the helix
-/// angles do not permit parallel axes, the result is a crossed pair, without a warning. An example
-/// is two helical gears of the same hand, because gears on parallel axes need opposite helix
-/// angles.
+/// angles do not permit parallel axes, the result is a crossed pair, without a warning. Two helical
+/// gears of the same hand are an example, because parallel axes need opposite hands.
 ///
 /// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` if one
 ///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if crossed

@@ -14,8 +14,8 @@ namespace gearwright {
 /// The base dimensions of both gears, for the teeth as cut.
 BasePair<double> base_pair(const Gear& gear_1, const Gear& gear_2);
 
-/// The base dimensions of both gears, without thickness allowances. Allowances cause backlash and
-/// do not change the backlash-free position of the nominal teeth.
+/// The base dimensions of both gears without thickness allowances. Allowances cause backlash, but
+/// they do not change the backlash-free position of the nominal teeth.
 BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2);
 
 /// True if |β_b1 + σ β_b2| ≤ 1e-9 rad. The axes are then parallel for every rack between the gears.

@@ -16,14 +16,14 @@ namespace gearwright {
 namespace {
 
 constexpr double kNoLength = 1e-9;  // modules; shorter lengths are rounding errors
-// Limit, in modules, for the distance by which the tip of the rack extends below the start of the
-// pinion's usable flank. Up to this limit, there is no warning. The fillet radii of ISO 53 are
-// rounded to two digits (0.38 for 0.37993), and the limit allows for this rounding.
+// The tip of the rack may extend below the start of the pinion's usable flank by this distance, in
+// modules, without a warning. The limit allows for the fillet radii of ISO 53, which are rounded to
+// two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
 constexpr double kNoArc = 1e-6;  // modules; shorter arcs are below the resolution of any machine
 
-// The least number of teeth of a rack in pictures and files if the user gives no number of teeth.
+// Least default number of teeth of a rack, for pictures and files.
 constexpr int kFewestTeeth = 15;
 // The default thickness of the body below the roots of a rack, modules. ISO 6336-3 reduces the
 // bending strength if the rim is thinner than 1.2 tooth depths, which are 2.7 modules for the basic
@@ -32,8 +32,7 @@ constexpr double kRimModules = 3.0;
 
 // The smallest thickness between the roots and the back, mm.
 constexpr double kLeastBack = 1e-3;
-// Limits of the face width and of the height, modules. A gear has the same limits of the face
-// width.
+// Limits of the face width, which are those of a gear, and of the height, modules.
 constexpr double kLeastWidth = 1e-3, kMostWidth = 1e5;
 
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
@@ -281,7 +280,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
                                     bar.thickness_allowance / (2 * std::tan(alpha_n(g)));
   p.travel_per_turn = g.spec.teeth * p.rack.transverse_pitch;
   p.base_pitch = reference.base_pitch_transverse;
-  const double shifted = p.center_distance - r;  // from the pitch line to the datum line
+  const double shifted = p.center_distance - r;  // distance from the pitch line to the datum line
   const double r_a = g.tip_form_radius(), r_b = g.base_radius();
   p.recess = roll_length(r_a, r_b) - r * sin_t;
   p.approach = (p.rack.addendum - shifted) / sin_t;

@@ -1,4 +1,4 @@
-// A pinion and a rack: the exact limit of a parallel pair for z2 → ∞.
+// A pinion and a rack, which is the exact limit of a parallel pair for z2 → ∞.
 //
 //   H, H_0    distance from the pinion axis to the datum line of the rack, as mounted and without
 //             backlash   mm
@@ -102,8 +102,8 @@ struct RackPair {
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41] and [T2.46]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0
-/// Errors    `gear1.teeth` for an internal gear; `gear1.rack` for circular arcs; if the pinion has
-///           no tooth, the errors of Gear::why_not(); `gear2.face_width` outside the limits of a
+/// Errors    `gear1.teeth` for an internal gear; `gear1.rack` for circular arcs; the errors of
+///           Gear::why_not() if the pinion has no tooth; `gear2.face_width` outside the limits of a
 ///           gear; `gear2.height` if the back is not below the roots or is beyond 100 000 modules;
 ///           `gear2.thickness_allowance` if the rack has no tooth or no space
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
@@ -111,8 +111,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
                             std::optional<double> speed_rpm = {},
                             std::optional<double> friction = {});
 
-// The outline of the teeth of a rack in the transverse section, in the same form as the outline of
-// a gear.
+// The outline of the teeth of a rack in the transverse section, in the form of a gear's outline.
 //
 //   x     height above the datum line, mm       y   along the travel, mm
 //   s_n   thickness at the datum line, in the normal section, mm

@@ -12,7 +12,7 @@ namespace {
 struct Saddle {
   double L;                                      // mm, between the base tangent points
   double sin2, cos2;                             // sin² η and cos² η
-  double begin, end;                             // λ_1 of the path
+  double begin, end;                             // λ_1 at both ends of the path
   std::array<double, 2> curvature_per_crowning;  // K_i/C_βi  1/mm²
 };
 

@@ -3,8 +3,9 @@
 // crowned leads, the flanks therefore overlap on two sides of the point.
 //
 //   η     angle between the generators (straight lines) of the two flanks, in the tangent plane
-//   λ_i   distance of the contact from base tangent point i along the line of action,
-//         λ_2 = λ_1 + L; flank i is curved by 1/λ_i across its generator and straight along it
+//   λ_i   distance of the contact from base tangent point i along the line of action; flank i is
+//         curved by 1/λ_i across its generator and straight along it
+//   L     distance of the base tangent points, mm, λ_2 = λ_1 + L
 //   K_i   = 8 C_βi cos² β_bi/b_i²  1/mm: curvature of the lead crowning C_βi along the generator
 //                                              theory: docs/theory/04-conjugate-action.md, 4.11
 #pragma once

@@ -71,9 +71,9 @@ struct MinDistanceSeries {
     return alpha + delta;
   }
 
-  /// Returns the least distance, a_0 − m_n |z_1′ + z_2′| L²/4. If `factors` is 2, the correction
-  /// m_n |z_1′ + z_2′| L²/4 has a second factor. The error is O(L³) for one factor and O(L⁴) for
-  /// two. [T5.24]…[T5.26]
+  /// Returns the least distance, a_0 − m_n |z_1′ + z_2′| L²/4. If `factors` is 2, the term with L²
+  /// is multiplied by a second factor. The error is O(L³) for one factor and O(L⁴) for two.
+  /// [T5.24]…[T5.26]
   T center_distance(int factors) const {
     using std::tan;
     GW_EXPECTS(factors == 1 || factors == 2);

@@ -59,7 +59,7 @@ Result<ShiftSolution> complete_crossed(const ShiftProblem& p) {
 
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda) {
   if (z2 < 0) return {sum, 0.0};
-  // If the sum is less than 2 λ, the gear with fewer teeth gets the larger shift.
+  // If the sum is less than 2 λ (ShiftProblem), the gear with fewer teeth gets the larger shift.
   const double x1 = (lambda * z2 + (sum - lambda) * z1) / (z1 + z2);
   return {x1, sum - x1};
 }

@@ -1,5 +1,4 @@
-// Computes the centre distance from the profile shifts, or the profile shifts from the centre
-// distance.
+// Computes the centre distance from the profile shifts, or the shifts from the distance.
 //
 //   Σx = x1 + x2   σ = +1 external, −1 internal   a, a_d   actual and reference centre distance, mm
 //   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)
@@ -25,9 +24,8 @@ namespace gearwright {
 
 enum class Mounting { tight, extended };
 
-/// Greatest centre distance, relative to the sum of the base radii (internal pairs: the
-/// difference). At this distance, the working pressure angle is 89.4°, and no tooth reaches the
-/// other gear.
+/// Greatest centre distance, relative to the sum of the base radii (to their difference for
+/// internal pairs). The working pressure angle is then 89.4°, and no tooth reaches the other gear.
 inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
@@ -103,7 +101,8 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
 
 /// Returns the Σx that gives no backlash at the centre distance a, on crossed axes.
 ///
-/// Formula   Σx = (2 X sin α_wn − Q_0) π/(2 p_bn tan α_n), Q_0 the excess at Σx = 0; [T4.28]
+/// Formula   Σx = (2 X sin α_wn − Q_0) π/(2 p_bn tan α_n), where X is the distance of the pitch
+///           planes, and Q_0 is the excess Q of pair/common_rack.hpp at Σx = 0; [T4.28]
 /// Domain    as angles_at_shaft_angle (contract)
 double crossed_shift_sum(const ShiftProblem& problem, double a);
 

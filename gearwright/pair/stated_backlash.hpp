@@ -7,9 +7,9 @@
 namespace gearwright {
 
 /// The greatest magnitude of a normal backlash, mm, that counts as no backlash for this module.
-/// Drawings give centre distances in mm and profile shifts with four decimals. For 20°, rounding
-/// the distance changes j_n by at most 2 · 0.5e-4 tan α_wn = 3.6e-5 mm, and rounding both shifts
-/// changes it by at most 4 · 0.5e-4 m_n tan α_n = 7.3e-5 m_n.
+/// Drawings give centre distances in mm and profile shifts, both with four decimals. At a pressure
+/// angle of 20°, rounding the distance changes j_n by at most 2 · 0.5e-4 tan α_wn = 3.6e-5 mm, and
+/// rounding both shifts changes j_n by at most 4 · 0.5e-4 m_n tan α_n = 7.3e-5 m_n.
 constexpr double no_backlash(double normal_module) {
   return std::max(0.5e-4, 1e-4 * normal_module);
 }

@@ -36,7 +36,7 @@ TEST(ToolSetting, example_1_of_the_paper) {
   EXPECT_NEAR(exact, -0.0209789493999995, 1e-14);
   displaced.convex.b += exact;
   EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0, 1e-10);
-  // The difference to 30° is the error of the paper's first-order formula.
+  // The difference from 30° is the error of the paper's first-order formula.
   displaced.convex.b = in.convex.b - 0.021;
   EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0185, 5e-5);
 }

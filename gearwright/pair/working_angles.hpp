@@ -25,7 +25,8 @@
 
 namespace gearwright {
 
-/// Returns the gear g. If α_n increases, the helix angle of this gear is the first to reach 90°.
+/// Returns the gear g. If α_n increases, the helix angle of g reaches 90° before the helix angle of
+/// the other gear.
 template <class T>
 int limiting_gear(const BasePair<T>& gears) {
   using std::abs;
@@ -101,8 +102,7 @@ ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
   return {least, least > T(0) ? greatest : T(-greatest)};
 }
 
-/// Returns the rack with which both gears roll on crossed axes at the shaft angle Σ. There is only
-/// one.
+/// Returns the only rack with which both gears roll on crossed axes at the shaft angle Σ.
 ///
 /// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise,
 ///           cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos Σ)/sin² Σ,
@@ -336,8 +336,8 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
 }
 
 /// Returns the interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is
-/// one base pitch less than the length that the tips permit, the contact ratio is at least 1 in
-/// this interval. L is convex in α_n, so there is only one interval.
+/// the length that the tips permit minus one base pitch, the contact ratio is at least 1 in this
+/// interval. L is convex in α_n, so there is only one interval.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
 /// Domain    external pairs

@@ -1,5 +1,5 @@
-// Reads one case from a file of values of other programs, for unit tests of functions without
-// gears.
+// Reads one case from a file with results of another program. Unit tests of functions that need no
+// gear use it.
 #pragma once
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// A temporary folder of one test, removed when the test ends, so that two builds can be tested at
-// once.
+// A temporary folder of one test, removed when the test ends. Each test has its own folder, so two
+// builds can be tested at the same time.
 #pragma once
 
 #include <filesystem>

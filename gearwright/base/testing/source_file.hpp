@@ -1,7 +1,7 @@
 // Files of the source tree that tests read: golden cases, tables of oracles, documents.
 //
-// Only one object file contains the path of the source tree, so that two copies of the tree compile
-// to the same objects.
+// Only one object file contains the path of the source tree. All other objects are therefore
+// identical for two copies of the tree.
 #pragma once
 
 #include <string>

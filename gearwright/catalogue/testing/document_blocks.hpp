@@ -25,8 +25,7 @@ inline std::string cell(std::string_view text) {
   return out;
 }
 
-/// Returns the text of a file below the source folder. The text is empty if the file does not
-/// exist.
+/// Returns the text of a file below the source folder, or "" if the file does not exist.
 inline std::string document(const std::string& path) {
   std::ifstream file(testing::source_file(path));
   std::ostringstream text;

@@ -19,7 +19,7 @@ inline Found whole(const Search& search) {
   return f;
 }
 
-/// The designs at one point of each region.
+/// The designs of a search, each at one point of its region.
 inline std::vector<DesignRow> points_of(const SearchProblem& problem) {
   const Search search(problem);
   std::vector<DesignRow> rows;

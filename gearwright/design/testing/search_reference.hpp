@@ -1,5 +1,5 @@
-// Shared by the tests of the search: the reference computed with 40 digits, problems made from it,
-// and random problems of every kind from a seeded generator.
+// Helpers that the tests of the search share: the reference computed with 40 digits, problems made
+// from it, and random problems of every kind from a seeded generator.
 #pragma once
 
 #include <algorithm>
