@@ -82,7 +82,8 @@ Error following_from(std::string field, std::string value, std::string_view how,
 
 namespace {
 
-// Returns the rule of an error from absent_input(), without its first words "is missing".
+// Returns the rule of an error from absent_input(), without its first words "is missing" and the
+// separator behind them.
 std::string_view what_is_wanted(const Error& error) {
   std::string_view rule = error.rule;
   rule.remove_prefix(std::string_view("is missing").size());

@@ -37,8 +37,8 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
 // link, so that the link is kept.
 struct Target {
   fs::path path;
-  bool straight;  // true if the path is written directly, because renaming cannot replace a device
-                  // or a pipe
+  bool straight;  // true if the path is a device or a pipe. It is then written directly, because
+                  // renaming would replace it by a regular file.
 };
 
 Target target_of(const fs::path& path) {

@@ -2,7 +2,7 @@
 //
 // A column is a quantity of a table, or of a record inside the table. A list of records is one
 // column. The writers of rows (CSV, Parquet, the arrays of Python and of the page) select from
-// these columns, name them and give them their own types.
+// these columns and give each of them a name and a type of their format.
 #pragma once
 
 #include <cstddef>

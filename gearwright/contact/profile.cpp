@@ -11,8 +11,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 4e-16;  // rounding error, absolute for ln ρ, relative for a parameter
-// On the base circle, θ″ = −(1 + ξ²)/ξ of an involute is infinite. Below kMinRollSquare, the slopes
-// are therefore computed at ξ² = kMinRollSquare. The radius there is greater than r_b by 5e-13 r_b.
+// |θ″| = (1 + ξ²)/ξ of an involute is infinite on the base circle (ξ = 0). If ξ² is less than
+// kMinRollSquare, the polar angle and the slopes are therefore computed at ξ² = kMinRollSquare,
+// where the radius is r_b (1 + 5e-13).
 constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }

@@ -3,6 +3,7 @@
 // the eight bounds of D lead to this point.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
+//   u, Z   ln ρ and height of the same point in the frame of gear 2 (gap_field.hpp)
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
 // The order of the bounds is s, z on flank 1, and u, Z on flank 2, each with the lower bound first.

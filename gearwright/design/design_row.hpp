@@ -21,7 +21,7 @@ struct DesignRow {
   std::array<double, 2> shift{};          ///< x1, x2
   std::array<double, 2> allowance{};      ///< E_sn, the mean of upper and lower allowance
   double face_width = 0.0;                ///< b, common to both gears
-  bool balanced = false;                  ///< true if the point lies on the line of balanced
+  bool balanced = false;                  ///< true if (x1, x2) lies on the line of balanced
                                           ///< strength (Eq. 11, design/shift_region.hpp)
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt; α_n of the rack on crossed axes

@@ -53,13 +53,13 @@ struct GearBody {
 /// Mass of the bodies of both gears, kg.
 double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
-// Stores the pinion cutters chosen for the internal gears of a search.
+// RingCuts stores the pinion cutters chosen for the internal gears of a search.
 //
 // The strength of an internal gear depends on the number of teeth of its cutter, and its path of
 // contact depends on the radius at which its fillet begins. Both values are known only after a
 // tooth has been generated, which takes as long as a hundred ratings. With the radius in modules,
 // both values depend only on the number of teeth, the rack, the helix angle and the profile shift.
-// They are therefore stored for all wheels that agree in these.
+// One stored result therefore serves all wheels that have the same values of these four quantities.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
 /// The cutter of an internal gear, and the start of its fillets. If every cutter would remove a

@@ -77,9 +77,9 @@ struct DriveSearchProblem {
   bool module_per_stage = false;
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
   /// Band of the centre distance a of every stage of a train, as mounted, mm, both ends included.
-  /// The band requires modules and profile shifts that the search chooses, and excludes
-  /// `module_per_stage`. A train is found once for each choice of modules that gives such distances
-  /// in all its stages.
+  /// The band requires `modules`, and profile shifts that are left to the search. Each stage may
+  /// have another module, and each choice of modules with which every stage may reach the band is a
+  /// separate candidate. `module_per_stage`, which finds a train only once, must be false.
   std::optional<std::array<double, 2>> center_distance;
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, both ends included; the search
                                                     ///< chooses face widths within this band

@@ -60,7 +60,8 @@ DesignVerdict stopped(int stage, std::string limit, double shortfall = 0.0) {
   return {stage, shortfall, std::move(limit), std::nullopt};
 }
 
-// Both gears as cut, before they are mounted.
+// A candidate whose gears have been cut, but are not mounted yet: both gears, the generating
+// distance of the wheel (`distance`) and the intended centre distance of the pair (`mounted`), mm.
 struct Cut {
   CylindricalSpec pinion, cutter;
   Gear gear_1, gear_2;

@@ -1,5 +1,5 @@
-// Computes the closed intervals in which a continuous function of one variable is not negative. The
-// ends of the intervals are roots of the function.
+// Computes the closed intervals of [a, b] in which a continuous function of one variable is not
+// negative. Each end of such an interval is a root of the function, or a or b.
 //
 // The function is evaluated at nodes. Between two nodes of different sign, bracketing finds one
 // root. A narrow interval may also lie between nodes. If the function is negative at a node and

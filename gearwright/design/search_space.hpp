@@ -15,8 +15,9 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< greatest number of teeth of a wheel; the shift
-                                                ///< limits are stored for each number of teeth
+/// Greatest number of teeth of a wheel. It is limited, because a search stores a TrialGear with its
+/// shift limits for each number of teeth in the band.
+inline constexpr int kMaxSearchTeeth = 20'000;
 
 class SearchSpace {
  public:

@@ -38,7 +38,8 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
     return q > 0.0 ? radius_of(q, gears_[0].r_b) : kInfinity;
   };
   const auto tip_2 = [&](double t) {
-    const double q = t * u * at.N / (1.0 + t * u);  // has the sign of gear 2
+    // ρ2 at this t. If its sign is not that of z2, no tip radius gives this t.
+    const double q = t * u * at.N / (1.0 + t * u);
     return q * u > 0.0 ? radius_of(q, gears_[1].r_b) : kInfinity;
   };
   raise(lo, tip_1(most) - A_1);

@@ -199,8 +199,9 @@ class ShiftGraph {
   double R_, B_;  ///< r1 + r2, r_b1 + r_b2; with signs
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
   double nearest_;                                      ///< least centre distance
-  double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
-  // Values that are stored because every line uses them.
+  double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = line_0 + line_1 Σ
+  // Values that are computed once per graph, because many lines Σ = const, ranges of Σ or points
+  // use them.
   double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ at the least centre distance, and Σ with N = K
   Sums walls_{};                            ///< plain_sums() without the band of centre distances
   Sums region_sums_{};                      ///< sums() of all limits

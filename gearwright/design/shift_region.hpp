@@ -26,7 +26,8 @@ struct RegionEdge {
 };
 /// `whole` computes the area of the region, and `point` omits the area.
 enum class RegionDetail { point, whole };
-/// `sought` computes point_off_walls(). `none` states that such a point does not exist.
+/// `sought` computes off_walls by point_off_walls(). With `none`, the caller states that
+/// point_off_walls() has no result; off_walls then stays empty.
 enum class OffWalls { sought, none };
 
 struct ShiftRegion {

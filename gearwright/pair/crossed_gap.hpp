@@ -24,10 +24,11 @@ namespace gearwright::detail {
 ///
 /// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
 /// Domain    crossed axes and two gears with a tooth (contract); tips above the mating roots
-/// Accuracy  every gap is the distance between two points of the surfaces. A minimum is exact to
-///           rounding. If two minima are less than one grid step apart, one of them may be missed.
-///           The grid has 9 × 9 nodes. For internal pairs, it has 49 nodes around the circumference
-///           and 9 over the face. A rounded tip is evaluated at 17 points
+/// Accuracy  every gap is the rotation that brings two points of the surfaces together. A minimum
+///           is exact to rounding. If two minima are less than one grid step apart, one of them may
+///           be missed. The grid of an external pair has 9 × 9 nodes. The grid of an internal pair
+///           has 49 nodes around the circumference and 9 over the face. A rounded tip is evaluated
+///           at 17 points.
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
 
 }  // namespace gearwright::detail

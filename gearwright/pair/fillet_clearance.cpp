@@ -105,7 +105,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
       arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
                                      : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
   double angle = std::atan2(p.y(), p.x());
-  // For a gear with one tooth, the angle may exceed π.
+  // The polar angle of p may exceed π if the gear has one tooth. atan2 then returns it less 2π.
   if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;
   return angle >= theta ? least : -least;
 }

@@ -26,8 +26,9 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// Returns the arc length from p to the radius ρ, measured on the circle of curvature at p. If this
-// circle does not reach ρ, the result is the step of Newton's method for ρ² along the tangent.
+// Returns the arc length from p to the radius ρ, from the series of ρ² to second order in the arc
+// length. If this quadratic equation has no two distinct real roots, the result is the step of
+// Newton's method for ρ² along the tangent.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;
