@@ -83,9 +83,9 @@ Result<Gear> make_given_gear(const GivenPair& given, int which, bool clear_tips)
   return gear;
 }
 
-// The least profile shift, rounded up to four decimals, with which a gear is not undercut if its
-// teeth are thinned for a backlash. Another shift changes the working pressure angle and with it
-// the allowance, so the shift is computed repeatedly. None if no shift is found.
+// Returns the least profile shift, rounded up to four decimals, that avoids undercut of a gear
+// whose teeth are thinned for a backlash. The thickness allowance depends on the working pressure
+// angle and therefore on the shift, so both are found by iteration. Returns none if there is none.
 std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear& undercut) {
   constexpr int kTries = 8;
   constexpr double kDigits = 1e4;

@@ -1,9 +1,9 @@
 // Computes one gear, or two gears and their pair, from the data of a drawing. Absent values are
 // computed from the given values. Contradictory values cause an error.
 //
-// Profile shifts and centre distance determine each other. The cutter of a gear determines its
-// module and angles. A required backlash determines the tooth thickness. If no face width is given,
-// it is 10 m_n, and there is a warning.
+// Profile shifts and centre distance determine each other. A cutter determines the module and the
+// angles of the gear that it cuts. A required backlash determines the tooth thickness. If no face
+// width is given, it is 10 m_n, and there is a warning.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ struct Arranged {
   std::shared_ptr<const ArrangedEnds> ends{};  ///< results at the ends of the tolerances
   std::shared_ptr<const GivenPair> given{};    ///< the unchanged input
 
-  /// Gear 1 or 2.   Domain  this gear exists (contract)
+  /// Returns gear 1 or 2.   Domain  this gear exists (contract)
   const Gear& gear(int which) const {
     GW_EXPECTS(which >= 1 && which <= static_cast<int>(gears.size()));
     return gears[static_cast<std::size_t>(which - 1)];

@@ -45,12 +45,13 @@ ShiftProblem shift_problem(const GivenPair& given) {
   return p;
 }
 
-// Gives the pinion of an internal pair at least the profile shift with which it is not undercut.
-// The internal gear gets the rest of the sum of the shifts. Neither shift is given.
+// Gives the pinion of an internal pair at least the profile shift that avoids undercut, and the
+// internal gear the rest of the sum of the shifts. Neither shift is given by the user.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   // Greatest sum of the profile shifts at which the pinion gets an additional shift. At a greater
-  // sum, the tip of the internal gear leaves no room for this shift: internal pairs with 9 to 25
-  // and 30 to 90 teeth become worse by it.
+  // sum, the tip of the internal gear leaves no room for this shift. Internal pairs with 9 to 25
+  // teeth on the pinion and 30 to 90 teeth on the internal gear are worse with the additional
+  // shift.
   constexpr double kGreatestSum = -0.4;
   const GearInput& pinion = *given.gears[0];
   if (pinion.basic || pinion.cut_by || shifts.x1 > kGreatestSum) return;
@@ -86,8 +87,8 @@ bool share_a_rack(const GivenPair& given) {
          near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
 }
 
-// Shortens the tips so that the tip clearance at the centre distance a equals the clearance of the
-// generating racks: k m_n = σ (a − a_ext). [T2.21]
+// Shortens the tips by k m_n = σ (a − a_ext), so that the tip clearance at the centre distance a
+// equals the clearance of the generating racks. a_ext is the extended centre distance. [T2.21]
 void shorten_tips(GivenPair& given, double a) {
   double extended = 0.0;
   const double side = side_of(given.gears[1]->cylindrical.teeth);
@@ -127,8 +128,8 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   return std::nullopt;
 }
 
-// If the sum of two shifts is invalid, attributes the error to the given shift or, if both
-// shifts are given, to the larger one.
+// Attributes the error of an invalid sum of the shifts to the given shift or, if both shifts are
+// given, to the larger one.
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (subject_of(error.field).member != GearMember::profile_shift) return error;
   const auto size = [&](std::size_t i) {
@@ -142,8 +143,7 @@ Error of_given_shift(const Error& error, const GivenPair& given) {
 }
 
 // Gears with the same hand and the same helix angle β have axes that cross at 2 β. If no shaft
-// angle is given for such gears, a missing sign is more likely than crossed axes, so this is an
-// error.
+// angle is given, a missing sign is more likely than crossed axes, so this is an error.
 std::optional<Error> check_hands(const GivenPair& given) {
   if (given.pair.shaft_angle) return std::nullopt;
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
@@ -180,8 +180,7 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
     // If the shaft angle and at least one profile shift are absent, the given centre distance is
-    // taken as the minimum centre distance of the pair. The minimum centre distance determines the
-    // shaft angle.
+    // taken as the minimum centre distance, which determines the shaft angle.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
@@ -245,8 +244,8 @@ void thin(GivenPair& given, double thinning) {
     given.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
 }
 
-// The backlash of the pair if its teeth are thinned by `thinning` mm in total. Fillets and tips
-// have no influence on the backlash.
+// Returns the backlash of the pair if its teeth are thinned by `thinning` mm in total. Fillets and
+// tips have no influence on the backlash.
 Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& place,
                            double thinning) {
   thin(given, thinning);
@@ -269,7 +268,8 @@ Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& plac
                                              : backlash->rotation[0].deg();
 }
 
-// The error of a backlash that lies beyond `limit`, because of `cause`.
+// Returns the error that the requested backlash lies beyond `limit`, the greatest or least possible
+// backlash. `cause` is the error of gears with a backlash beyond this limit.
 Error beyond_limit(const Wanted& wanted, double limit, const Error& cause) {
   const bool thinner = wanted.value > limit;
   const auto [which, member] = subject_of(cause.field);
@@ -301,8 +301,8 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
     auto at_now = backlash_at(given, place, now);
-    // The first step makes the teeth thinner. If the gears cannot be made with thinner teeth
-    // although the backlash must decrease, the search continues with thicker teeth.
+    // The first step makes the teeth thinner. If this is impossible, and if the backlash must
+    // decrease, the search continues with thicker teeth.
     if (!at_now && off_before * (now - before) > 0.0) {
       now = 2 * before - now;
       continue;

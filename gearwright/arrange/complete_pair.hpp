@@ -14,15 +14,15 @@ namespace gearwright {
 /// tips are written into the gears of `given`. If the shaft angle is computed from the centre
 /// distance, it is written into `given.pair`. `shift_wanted` is true if at least one shift is
 /// absent and must be computed from the centre distance. If both are absent, gear 1 gets the sum of
-/// the shifts. An internal pair is an exception if this sum is less than −0.4: its pinion gets at
-/// least the shift with which it is not undercut, and the internal gear gets the rest.
+/// the shifts. However, if this sum is less than −0.4 in an internal pair, the pinion gets at least
+/// the shift that avoids undercut, and the internal gear gets the rest.
 ///
 /// Domain    two gears (contract)
 /// Errors    `gear2.helix_angle` if a sign seems to be missing; the errors of check_partners,
 ///           complete_shifts and complete_place
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
-/// The member with the requested backlash, such as "pair.backlash".
+/// Returns the name of the member with the requested backlash, such as "pair.backlash".
 const char* backlash_field(const PairInput& pair);
 
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.

@@ -66,10 +66,10 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// The default profile shift of a gear that has its own cutter. The default applies if neither the
-// profile shift of the gear nor `profile_shift_pair` (e) is given. A gear with the default shift
-// meshes with its mating gear without backlash at the given centre distance. The result is none if
-// there is no such shift.
+// Returns the default profile shift of a gear that has its own cutter. The default applies if
+// neither the profile shift of the gear nor `profile_shift_pair` (e) is given. A gear with the
+// default shift meshes with its mating gear without backlash at the given centre distance. The
+// result is none if there is no such shift.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -112,8 +112,8 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
 }
 
 // Makes the gear at the generating distance that follows from its profile shift. If a gear with
-// its own cutter has a thickness allowance, the distance follows instead from the generating
-// profile shift x_E, which includes the allowance.
+// its own cutter has a thickness allowance, the distance follows from the generating profile shift
+// x_E, which includes the allowance.
 Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec spec) {
   auto nominal = make_pinion_cut_gear(cutter, spec);
   const double wanted = gear.cylindrical.thickness_allowance;

@@ -1,5 +1,5 @@
-// Makes the gears that are cut by a pinion cutter, before the pair is mounted. Also computes
-// the tips that keep a given clearance to the root of the mating gear. Internal to arrange/.
+// Makes the gears that are cut by a pinion cutter, before the pair is mounted. Also computes tips
+// with a given clearance to the root of the mating gear. Internal to arrange/.
 #pragma once
 
 #include <array>
@@ -11,13 +11,12 @@ namespace gearwright {
 
 using MadeGears = std::array<std::optional<Gear>, 2>;
 
-/// The default clearance between a tip fillet and the mating gear's root: 0.2 m_n + 0.05 mm. [T6.7]
+/// Returns the default clearance from a tip fillet to the mating root, 0.2 m_n + 0.05 mm. [T6.7]
 inline double default_tip_clearance(double normal_module) { return 0.2 * normal_module + 0.05; }
 
-/// Makes every gear that has `cut_by`. If one gear of the pair cuts the other, also makes the
-/// gear that cuts. The resulting module, angles and shift are written into the input. If one
-/// gear cuts the other and no centre distance is given, the generating centre distance is
-/// written into the pair.
+/// Makes every gear that has `cut_by`, and writes the resulting module, angles and shift into the
+/// input. If one gear of the pair cuts the other, the gear that cuts is made as well. If, in this
+/// case, no centre distance is given, the generating centre distance is written into the pair.
 ///
 /// Errors    `gearN.cut_by` if two gears cut each other, or the cutter is an internal gear or
 ///           does not exist; `gearN.tip_fillet.clearance` if this gear cuts its mating gear;
@@ -41,8 +40,8 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
 /// the gear.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// Changes an error of a pair that names rack data of a gear, although the gear is given by its
-/// base cylinder. The changed error names the data of the base cylinder.
+/// Changes an error of a pair that names rack data, although the gear is given by its base
+/// cylinder. The changed error names the data of the base cylinder.
 Error of_basic(const Error& error, const GivenPair& given);
 
 /// Attributes an error about the radius at which the tooth ends to the given tip clearance.

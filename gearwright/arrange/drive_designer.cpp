@@ -29,7 +29,7 @@ bool is_safe(const Drive& drive, const Safeties& required) {
   return holds(&Rating::S_H, required.flank) && holds(&Rating::S_F, required.root);
 }
 
-// The least overlap ratio of the meshes; infinite if no mesh has involute teeth.
+// Returns the least overlap ratio of the meshes, or infinity if no mesh has involute teeth.
 double least_overlap(const DriveGeometry& geometry) {
   double least = kInfinity;
   for (std::size_t m = 0; m < geometry.pairs.size(); ++m)
@@ -38,7 +38,7 @@ double least_overlap(const DriveGeometry& geometry) {
   return least;
 }
 
-// The mass of all gears with all copies of the planets, kg.
+// Returns the mass of all gears with all copies of the planets, kg.
 double mass_of(const DriveSearchProblem& problem, const Drive& drive) {
   const std::vector<std::string> members = set_member_names();
   double sum = 0.0;
@@ -145,9 +145,9 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
   return least;
 }
 
-// The profile shifts to be tried. If the search gives shifts, only these shifts are tried.
-// The list is empty if the teeth of the candidate are impossible. The shifts do not depend on the
-// face width.
+// Returns the profile shifts to be tried. If the search gives shifts, only these shifts are tried.
+// They do not depend on the face width. The list is empty if the teeth of the candidate are
+// impossible.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};
@@ -172,8 +172,8 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   return all;
 }
 
-// The safeties of the meshes. The safety of a mesh is the smaller value of its two gears. It is
-// infinite for a mesh without load. None if the drive cannot be made or rated.
+// Returns the safeties of the meshes. The safety of a mesh is the smaller value of its two gears.
+// It is infinite for a mesh without load. Returns none if the drive cannot be made or rated.
 std::optional<std::vector<Safeties>> DriveDesigner::mesh_safeties(
     const DriveCandidate& candidate) const {
   auto made = made_from(candidate);
@@ -189,8 +189,7 @@ std::optional<std::vector<Safeties>> DriveDesigner::mesh_safeties(
   return list;
 }
 
-// Raises the modules of the stages until every stage has the required safeties at its greatest
-// face width.
+// Raises the modules until every stage has the required safeties at its greatest face width.
 DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
   candidate = with_modules(problem_, candidate, candidate.stage_modules);
   for (bool grows = true; grows;) {
@@ -223,8 +222,8 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
   return costs(a) < costs(b);
 }
 
-// The least widths of the meshes, in steps, with which all meshes have the required safeties. With
-// one step less, at least one mesh would not have them.
+// Returns the least widths of the meshes, in steps, with which all meshes have the required
+// safeties. With one step less, at least one mesh would not have them.
 std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double below,
                                                const std::vector<double>& greatest) const {
   const std::size_t meshes = greatest.size();
@@ -236,9 +235,8 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
       held[m] = holds((*safeties)[m], task_.required);
     return held;
   };
-  // The safeties of a mesh depend mainly on the width of the same mesh. The widths of all meshes
-  // are therefore found by a single bisection, in as many steps as the width of one mesh would
-  // need.
+  // The safeties of a mesh depend mainly on its own width. A single bisection can therefore find
+  // the widths of all meshes at the same time.
   std::vector<double> low(meshes, below), least = greatest, middle(meshes);
   for (bool open = true; open;) {
     open = false;

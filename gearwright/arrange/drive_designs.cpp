@@ -17,8 +17,8 @@ namespace {
 // with fewer trains than kLeastForEstimate has no estimate, because the estimate would not save
 // time.
 constexpr std::size_t kEstimateTrains = 64, kLeastForEstimate = 1000;
-// Margin of the estimated mass of a train, relative to this mass. Of 1321 trains of three searches,
-// none was lighter than estimated by more than 0.054.
+// Margin of the estimated mass of a train, relative to this mass. In three searches with 1321
+// trains, no train was lighter than estimated by more than 0.054 of the estimated mass.
 constexpr double kMassMargin = 0.08;
 
 // The candidates of a search, which are computed in several steps. Estimates and the number of
@@ -40,8 +40,7 @@ class Candidates {
   // are evenly distributed over the order of the candidates.
   std::size_t leave_out_hopeless() {
     if (problem_.kind != DriveKind::train || !task_.rate) return 0;
-    // An estimate is valid for usual profile shifts. A given centre distance may require other
-    // shifts.
+    // The estimate assumes usual profile shifts. A given centre distance may require others.
     if (problem_.center_distance) return 0;
     // The mass of a train before it is computed follows from the estimate.
     if (problem_.module_per_stage && sorts_by_mass() && all_->size() > kRankedDrives)
@@ -100,7 +99,7 @@ class Candidates {
     return std::nullopt;
   }
 
-  // The next candidates that have not been computed, in the order of the first objective.
+  // Returns the next candidates that have not been computed, in the order of the first objective.
   // Leaves out the trains in which the sliding of a stage exceeds the limit.
   std::vector<std::size_t> next(std::size_t count, DriveDesigns& designs) {
     std::vector<std::size_t> which;
@@ -118,9 +117,9 @@ class Candidates {
 
   // True if the next candidate that has not been computed may be better than the designs of this
   // group, by the first objective. A candidate may be better if it is smaller than the last design
-  // of the group or, for the objective mass, lighter than the first design. Masses are not compared
-  // with the last design, because the estimated masses are inexact and nearly all candidates would
-  // be computed.
+  // of the group or, for the objective mass, lighter than the first design. Masses are compared
+  // with the first design only, because estimated masses are inexact and nearly all candidates
+  // might be lighter than the last design.
   bool may_improve(std::span<const FoundDrive> group) {
     while (first_ < all_->size() && made_[first_] != State::open) ++first_;
     if (!problem_.module_per_stage || first_ == all_->size()) return false;
@@ -131,8 +130,8 @@ class Candidates {
            next.size < group.back().candidate.size;
   }
 
-  // The candidates on the Pareto front that have not been computed. The front is determined without
-  // the candidates that were left out.
+  // Returns the candidates on the Pareto front that have not been computed. The front is determined
+  // without the candidates that were left out.
   std::vector<std::size_t> next_of_front(std::size_t count) {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;

@@ -1,6 +1,6 @@
-// The designs of a search for drives. Each candidate is computed as by the verb `drive`, in the
-// order of the candidates. It is rated if the search requires safeties, and listed if its verdict
-// is green.
+// Computes the designs of a search for drives. Candidates are computed as by the verb `drive`, in
+// their order. A candidate is rated if the search requires safeties. It is listed if its verdict is
+// green.
 #pragma once
 
 #include <array>
@@ -36,7 +36,8 @@ struct DriveDesigns {
   std::size_t green = 0;         ///< computed candidates that can be listed
   std::size_t hopeless = 0;      ///< trains that were left out because their estimated safeties are
                                  ///< too small
-  std::size_t beyond_limit = 0;  ///< candidates that were not computed because of the limit
+  std::size_t beyond_limit = 0;  ///< candidates that were not computed because of
+                                 ///< kMostComputedDrives
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};
 };
 
@@ -45,7 +46,7 @@ struct DriveDesignTask {
   DriveSearchProblem problem;
   double face_step;     ///< mm; step of the face widths from which the search chooses
   Safeties required{};  ///< of every mesh
-  /// Rates the meshes of a drive; empty if the designs are not rated.
+  /// Rates the meshes of a drive. Empty if the designs are not rated.
   std::function<std::optional<Error>(Drive&)> rate{};
   Progress* progress = nullptr;
 };
@@ -59,8 +60,8 @@ struct DriveDesignTask {
 /// if the sliding of one stage exceeds the limit. If each stage may have its own module, the stage
 /// gets the least module with which it has the required safeties.
 ///
-/// Laws      (1) a search over a list of modules finds a drive if a search with one of these
-///           modules alone finds a drive
+/// Laws      (1) if a search with one module finds a drive, a search over a list that contains
+///           this module also finds a drive
 ///           (2) the first `top` drives are the first drives of every longer list
 /// Errors    the errors of `rate`, if no drive can be rated
 Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
@@ -72,7 +73,7 @@ inline constexpr std::size_t kRankedDrives = 100;
 /// Greatest number of candidates of each module that are computed.
 inline constexpr std::size_t kMostComputedDrives = 20000;
 
-/// The drive of a candidate, with its shifts and its face widths.
+/// Returns the drive of a candidate, with its shifts and its face widths.
 ///
 /// Errors    as graph_of()
 Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
@@ -80,21 +81,22 @@ Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandid
 /// A design, the reason why a candidate is left out, or an error of the rating.
 using DriveOutcome = std::variant<FoundDrive, DriveFault, Error>;
 
-/// Makes the drive of a candidate: chooses its profile shifts, its modules and its face widths,
-/// rates it and judges it.
+/// Makes the drive of a candidate, chooses its profile shifts, modules and face widths, rates the
+/// drive and judges it.
 class DriveDesigner {
  public:
   /// The task must outlive the designer.
   explicit DriveDesigner(const DriveDesignTask& task) : task_(task), problem_(task.problem) {}
 
-  /// If the search gives no profile shifts, several are tried, and the best design by the
-  /// objectives is returned.
+  /// Returns the design of a candidate. If the search gives no profile shifts, several are tried,
+  /// and the best design by the objectives is returned.
   DriveOutcome operator()(DriveCandidate candidate) const;
-  /// A train with its face widths, by default the greatest ones, and, for each stage, the greatest
-  /// safeties over all trials of profile shifts. None if the train cannot be rated.
+  /// Returns a train with its face widths, by default the greatest ones, and, for each stage, the
+  /// greatest safeties over all trials of profile shifts. Returns none if the train cannot be
+  /// rated.
   std::optional<RatedTrain> rated(DriveCandidate candidate) const;
-  /// The least specific sliding of a train over all trials of profile shifts. It is 0 if the
-  /// teeth cannot be made, because the train is then left out for another reason.
+  /// Returns the least specific sliding of a train over all trials of profile shifts. It is 0 if
+  /// the teeth cannot be made, because the train is then left out for another reason.
   double least_sliding(DriveCandidate candidate) const;
 
  private:

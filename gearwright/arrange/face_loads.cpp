@@ -27,8 +27,8 @@ Result<FaceLoads> FaceLoads::of(const Arranged& arranged, const ContactErrors& e
   return made;
 }
 
-// The contact at both limits of the helix slope `deviation`, mm normal to the flank. At each
-// torque, the default numbers of slices are halved until there is a solution, as in `load`.
+// Returns the contact at both limits of the helix slope `deviation`, mm normal to the flank. At
+// each torque, the default numbers of slices are halved until there is a solution, as in loaded().
 Result<std::vector<LoadedContact>> FaceLoads::at_limits(double deviation) {
   for (std::size_t i = 0;; ++i) {
     task_.request.slices = resolutions_[i].slices;

@@ -1,4 +1,5 @@
-// The face load factor from the load along the teeth, `face_load_factor = "computed"` of a rating.
+// Computes the face load factor K_Hβ from the load along the teeth, for a rating with
+// `face_load_factor = "computed"`.
 //
 // The standard computes K_Hβ from the misalignment of flanks without crowning. Here, K_Hβ is the
 // greatest load per length divided by the mean load per length. Both loads are computed by the
@@ -15,19 +16,21 @@
 
 namespace gearwright {
 
-/// K_Hβ of a pair for any torque: the greater value at both limits of the mesh misalignment f_ma.
+/// Computes K_Hβ of a pair for any torque. K_Hβ is computed at both limits of the mesh misalignment
+/// f_ma, and the greater value applies.
 ///
 /// Formula   [T11.53]
 class FaceLoads {
  public:
-  /// Notes about the gear bodies are added to `notes`. The pair must not be double-helical.
+  /// Prepares the computation for a pair that is not double-helical. Notes about the gear bodies
+  /// are added to `notes`.
   ///
   /// Errors    those of load_task()
   static Result<FaceLoads> of(const Arranged& arranged, const ContactErrors& errors,
                               LoadInput input, const RatingInput& rating,
                               std::vector<Warning>& notes, Progress* progress = nullptr);
-  /// K_Hβ at the torque, the speed and the load factors of `input`. Its `face_load_factor` has no
-  /// effect.
+  /// Returns K_Hβ at the torque, the speed and the load factors of `input`. The member
+  /// `face_load_factor` of `input` has no effect.
   ///
   /// Errors    those of rate() and judge_load(); `rating.face_load_factor` if the load cannot be
   ///           computed at any position
@@ -50,10 +53,10 @@ class FaceLoads {
   std::vector<Resolution> resolutions_;
 };
 
-/// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. The
-/// equation torque_of_safety(K_Hβ(T)) = T is solved by the secant method for ln T. The result is
-/// none if there is no such torque, or if the load along the teeth cannot be computed at a torque
-/// of the iteration.
+/// Returns the greatest torque with the required safeties, N m, if K_Hβ changes with the torque.
+/// The equation torque_of_safety(K_Hβ(T)) = T is solved by the secant method for ln T. The result
+/// is none if there is no such torque, or if the load along the teeth cannot be computed at a
+/// torque of the iteration.
 ///
 /// Accuracy  1e-5, relative; the returned torque has the required safeties
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,

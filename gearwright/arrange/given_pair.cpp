@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kPerCubicMillimetre = 1e-9;
 
-// The material of the table that has the given name or, if the table does not contain the name, the
-// given kind. The given values of the material are not used. None for a plastic, or if neither the
-// name nor a kind determines a material.
+// Returns the material of the table that has the given name or, if the table does not contain the
+// name, the given kind. The given values of the material are not used. Returns none for a plastic,
+// or if neither the name nor a kind determines a material.
 std::optional<Material> usual_material(const MaterialInput& given) {
   if (given.kind == MaterialKind::plastic) return std::nullopt;
   const auto row = given.name ? material_named(*given.name) : std::nullopt;

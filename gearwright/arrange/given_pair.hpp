@@ -40,33 +40,31 @@ struct MaterialInput {
   ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
 };
 
-/// The material of `owner`, for example "gear1.material". Given values replace the values in the
-/// table of materials.
+/// Returns the material of `owner`, for example "gear1.material". Given values replace the values
+/// in the table of materials.
 ///
 /// Errors    a member of `owner` if a strength is unknown, or if the standard does not cover the
 ///           material
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
-/// E of the given material, N/mm²: the given number or, if it is absent, the value of the named
-/// material. If the table does not contain the name, it is the value of the kind. Without a kind,
-/// it is the value of steel.
+/// Returns Young's modulus E of the given material, N/mm². If E is not given, the value of the
+/// named material is used. If the table does not contain the name, the value of the kind is used,
+/// and without a kind the value of steel.
 ///
 /// Errors    `youngs_modulus` of `owner` for a plastic without a given number
 Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);
 
-/// The density of the given material, kg/mm³. The strength of the material need not be known. The
-/// density is unknown if the material is a plastic without a given density, or if neither `kind`
-/// nor the name of a material in the table is given.
+/// Returns the density of the given material, kg/mm³. The strength of the material need not be
+/// known. The density is unknown if the material is a plastic without a given density, or if
+/// neither `kind` nor the name of a material in the table is given.
 std::optional<double> density_of(const MaterialInput& given);
 
 struct GearInput;
 
-/// The two ends of a range.
 using Ends = std::array<double, 2>;
 
-/// The pinion cutter of a gear, and the sum of profile shifts that determines the depth of the
-/// cut.
+/// The pinion cutter of a gear, and the sum of profile shifts that gives the depth of the cut.
 struct CutByInput {
   int gear = 0;                              ///< 1 or 2 if gear 1 or 2 of the spec is the cutter,
                                              ///< otherwise 0
@@ -76,7 +74,6 @@ struct CutByInput {
   std::optional<Angle> pressure_angle;       ///< α_n; redundant, because the cutter determines it
 };
 
-/// The given measuring tools and measuring diameters.
 struct MeasureInput {
   std::optional<int> span_teeth{};         ///< k
   std::optional<double> ball_diameter{};   ///< D_M  mm
@@ -93,17 +90,17 @@ struct ToleranceInput {
   std::optional<std::string> series;                    ///< series of DIN 3967, for example "cd25"
   std::optional<Ends> span;                             ///< W_k  mm, least and greatest
   std::optional<Ends> over_balls;                       ///< M_d  mm, least and greatest
-  /// A_da, mm: lower and upper deviation of d_a. The upper deviation gives the longer tooth of an
+  /// Lower and upper deviation A_da of d_a, mm. The upper deviation gives the longer tooth of an
   /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;
   std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
-  /// Circular runout of the tip circle and of both faces to the axis, µm; used only on drawings.
+  /// Circular runout of the tip circle and of both faces to the axis, µm, used on drawings only.
   std::optional<double> tip_runout_um, face_runout_um;
 
   bool says_thickness() const { return series || span || over_balls; }
 };
 
-/// The input for one gear. `profile_shift` is the given shift; arrange() writes the resulting shift
+/// The input for one gear. `profile_shift` is the given shift. arrange() writes the resulting shift
 /// to `cylindrical.profile_shift`.
 struct GearInput {
   CylindricalSpec cylindrical;
@@ -146,7 +143,6 @@ struct GearInput {
   }
 };
 
-/// The mounting of the two gears.
 struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
@@ -176,14 +172,14 @@ struct GivenPair {
   bool shaft_angle_found = false;  ///< true if the shaft angle is computed from the centre distance
   std::vector<Warning> notes;      ///< about the input; arrange() adds them to the warnings
 
-  /// Gear 1 or 2; null if this gear is not given.
+  /// Returns gear 1 or 2, or null if this gear is not given.
   GearInput* find(int which) {
     auto& gear = gears[static_cast<std::size_t>(which - 1)];
     return gear ? &*gear : nullptr;
   }
   const GearInput* find(int which) const { return const_cast<GivenPair&>(*this).find(which); }
   bool has(int which) const { return find(which) != nullptr; }
-  /// Gear 1 or 2.   Domain  this gear is given (contract)
+  /// Returns gear 1 or 2.   Domain  this gear is given (contract)
   GearInput& gear(int which) {
     GW_EXPECTS(has(which));
     return *find(which);
@@ -195,11 +191,10 @@ struct GivenPair {
 /// consists of arcs.
 bool has_arcs(const GearInput& gear);
 
-/// True if at least one gear of the pair has circular-arc teeth.
 bool has_arcs(const GivenPair& given);
 
-/// Rejects inputs that have no meaning for circular-arc teeth: a pinion cutter with such teeth, tip
-/// shortening that follows from profile shifts, and crossed axes.
+/// Rejects inputs that have no meaning for circular-arc teeth. Such inputs are a pinion cutter with
+/// such teeth, tip shortening that follows from profile shifts, and crossed axes.
 std::optional<Error> check_arcs(const GivenPair& given);
 
 }  // namespace gearwright

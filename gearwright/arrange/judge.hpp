@@ -28,8 +28,7 @@ struct JudgedWith {
                                            ///< contact
   std::optional<JudgedRating> rating{};    ///< none if not computed
   /// Computes the contact of a changed pair with the same errors, and may add warnings. Returns
-  /// none if there is no contact. If this function is empty, findings about the contact have no
-  /// remedy.
+  /// none if there is no contact. If it is empty, findings about the contact have no remedy.
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
 };
 
@@ -40,8 +39,8 @@ struct JudgedState {
                                   ///< nominal gears or without a rating
 };
 
-/// All findings for the nominal values, and all findings that are worse at a combination of the
-/// ends of the tolerances. These findings contain no remedies.
+/// Returns all findings for the nominal values, and all findings that are worse at a combination of
+/// the ends of the tolerances. The findings contain no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
@@ -49,17 +48,18 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
 /// false if the input gives the number in another form, or if another gear determines the number.
 bool make_change(GivenPair& given, const SpecChange& change);
 
-/// The verdict on the gears. Messages name members of the input, such as `gear1.profile_shift`.
+/// Returns the verdict on the gears. Messages name members of the input, such as
+/// `gear1.profile_shift`.
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 
-// Converts a design that a search has found into the data of a drawing, and judges this
-// drawing.
+// Converts a design found by a search into the data of a drawing, and judges this drawing.
 //
 // A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
 // distance.
 
-/// The verdict on the drawing. If the search computes a rating, the verdict includes it. The
-/// finding that the rating of plastics ignores wear is omitted, because it applies to every design.
+/// Returns the verdict on the drawing. If the search computes a rating, the verdict includes it.
+/// The finding that the rating of plastics ignores wear is omitted, because it applies to every
+/// design.
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
 // Judges a drive. The verdict is the worst finding of its meshes and its assembly. A remedy is
@@ -71,12 +71,12 @@ struct DriveChange {
   double value;       ///< the new value, as in SpecChange
 };
 
-/// The input of the drive with this change. None if the input does not contain this number.
+/// Returns the input with this change, or none if the input does not contain this number.
 std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& change);
 
-/// The verdict on the assembly and the meshes. A message about a mesh begins with the name of the
-/// mesh.
-/// Planets that can only be mounted axially are a green finding, because axial mounting is usual.
+/// Returns the verdict on the assembly and the meshes. A message about a mesh begins with the name
+/// of the mesh. If planets can only be mounted axially, the finding is green, because axial
+/// mounting is usual.
 ///
 /// `wanted`  required safeties of a rated drive
 /// `key_of`  returns the key of the changed number in the spec, for the text of the remedy; may be
@@ -85,9 +85,9 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const std::function<std::string(const DriveChange&)>& key_of = {},
                     const Safeties& wanted = {1.0, 1.0});
 
-/// The level of the verdict of judge_drive(), without a search for remedies.
-/// `unequal_spacing_counts` is false if the caller has requested unequally spaced planets. In
-/// this case, unequal spacing is not a finding.
+/// Returns the level of the verdict of judge_drive(), without a search for remedies.
+/// `unequal_spacing_counts` is false if the caller has requested unequally spaced planets. In this
+/// case, unequal spacing is not a finding.
 Level drive_level(const Drive& drive, const Safeties& wanted, bool unequal_spacing_counts);
 
 }  // namespace gearwright

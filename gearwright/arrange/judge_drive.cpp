@@ -188,7 +188,8 @@ bool shares_gears(const DriveGraph& graph, std::size_t mesh) {
   return false;
 }
 
-// Summary of a drive without faults: ratio, efficiency, safeties and least backlash of its meshes.
+// Returns a summary of a drive without faults, with its ratio, its efficiency, its safeties and the
+// least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
   std::string facts;

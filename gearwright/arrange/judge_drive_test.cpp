@@ -263,7 +263,7 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
 
 // The headline gives a thickness allowance and the backlash that a drive with this allowance has.
 // With the allowance, the finding disappears. This law also holds for teeth that already have an
-// allowance: their centre distance is less than the centre distance of nominal teeth.
+// allowance. Their centre distance is less than that of nominal teeth.
 TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
   for (const double given : {0.0, -0.05}) {
     PlanetarySpec set = example();

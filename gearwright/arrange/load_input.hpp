@@ -1,5 +1,4 @@
-// The load of a pair or of a drive: torques, shaft deflections, probes of single teeth, and data of
-// the planets.
+// Describes the load of a pair or of a drive.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ namespace {
 constexpr double kFullLineLoad = 100;  // N/mm; for smaller line loads, the standard reduces the
                                        // stiffness
 
-// σ_F0 of gears 1 and 2 under a tangential force of 1 N.
+// Returns σ_F0 of gears 1 and 2 under a tangential force of 1 N.
 std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
   constexpr RatingEdition kEdition = RatingEdition::iso_2006;
   std::array<double, 2> list{};
@@ -63,7 +63,7 @@ constexpr double kWorthANote = 0.25;  // least relative difference from c_γα t
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
 // The ratio of the computed stiffness to the stiffness of the standard is the product of the
 // factors of the known effects and a remaining factor. If the remaining factor differs from 1
-// by more than kMuchLeft, the effects of face width and bodies are also computed.
+// by more than kMuchLeft, the factors of face width and bodies are computed as well.
 constexpr double kMuchLeft = 0.1;
 constexpr double kOverlap = 2.0;  // least overlap ratio of a helical face that is not narrow
 constexpr double kWidest = 12.0;  // modules; a wider face takes more time and gives the same ratio
@@ -94,7 +94,7 @@ bool has_modifications(const ContactSetup& setup) {
   return false;
 }
 
-// The pair without errors and modifications.
+// Returns the pair without errors and modifications.
 ContactPair bare_pair(const LoadTask& task, const Gear& gear_1, const Gear& gear_2) {
   ContactMount place = task.setup.place();
   place.errors = ContactErrors();
@@ -107,8 +107,8 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// The stiffness of the pair without errors and modifications, with faces that are wider by the
-// factor `wider` under the same line load. If `solid` is true, the bodies are solid. The
+// Returns the stiffness of the pair without errors and modifications, with faces that are wider by
+// the factor `wider` under the same line load. If `solid` is true, the bodies are solid. The
 // accuracy is low, but sufficient for ratios. NaN if no such pair can be computed.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
@@ -130,8 +130,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds two effects that need new compliance tables: the effect of a narrow helical face, and the
-// effect of bodies that are not held at the same diameter as solid bodies.
+// Adds the effect of a narrow helical face, and the effect of bodies that are not held at the same
+// diameter as solid bodies. Both need new compliance tables.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

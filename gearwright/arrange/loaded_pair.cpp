@@ -68,8 +68,8 @@ LoadRegime regime_of(const Arranged& arranged) {
   return arranged.pair->parallel() ? LoadRegime::line : LoadRegime::point;
 }
 
-// Shaft deflections can be given for line contact only. For point contact, the errors of mounting
-// describe the displacement of the gears.
+// Returns an error if a shaft deflection is given, which is possible for line contact only. For
+// point contact, the errors of mounting describe the displacement of the gears.
 std::optional<Error> not_for_points(const LoadInput& input) {
   for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
                                      std::pair("load.deflection_bow", input.deflection_bow)})
@@ -80,7 +80,7 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
-// The deflection of a shaft is computed only for a single face with line contact.
+// Returns the error that a shaft deflection requires a single face with line contact.
 Error not_for_shaft(int which, bool of_half) {
   return {gear_field(which, "shaft"), "",
           of_half
@@ -108,8 +108,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // The first torque is sufficient here, because the torque does not affect whether teeth
-  // touch.
+  // The first torque is sufficient, because no torque affects whether teeth touch.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(
@@ -162,8 +161,8 @@ Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
   return bodies;
 }
 
-// The member of the input that causes a deflection of the axes under load; empty if there is
-// none.
+// Returns the member of the input that causes a deflection of the axes under load, or an empty text
+// if there is none.
 std::string deflecting_member(const LoadRequest& request) {
   for (const int which : {1, 2})
     if (request.shafts[static_cast<std::size_t>(which - 1)]) return gear_field(which, "shaft");
@@ -171,7 +170,6 @@ std::string deflecting_member(const LoadRequest& request) {
   return request.deflection_slope != 0.0 ? "load.deflection_slope" : "load.deflection_bow";
 }
 
-// The error if no teeth touch at any position.
 Error no_touch(const LoadTask& task) {
   const std::string member = deflecting_member(task.request);
   if (member.empty()) return nothing_touches(task.setup);

@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// The pair for contact analysis, with the given flank modifications.
+/// Returns the pair for contact analysis, with the given flank modifications.
 ///
 /// Domain    a pair (contract)
 /// Errors    as ContactSetup::of()
@@ -45,8 +45,8 @@ struct HalfPlace {
 /// The diameter at which a gear without a bore is held, as a fraction of the root diameter.
 inline constexpr double kShaft = 0.5;
 
-/// The results of the pair under each of the torques, and the results of the probes. Warnings about
-/// the validity of the result are added to `warnings`.
+/// Returns the results of the pair under each of the torques, and the results of the probes.
+/// Warnings about the validity of the result are added to `warnings`.
 ///
 /// Domain    torques need a pair (contract)
 /// Errors    `load.torques` without torques and probes, and if a torque is not > 0; `load.driver`
@@ -58,13 +58,13 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
                             Progress* progress = nullptr,
                             const std::optional<HalfPlace>& half = {});
 
-/// The result under the single torque `torque` on gear 1, N m. All other numbers come from `input`.
+/// Returns the result under `torque` on gear 1, N m. All other numbers come from `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
                                     std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The computation that loaded() performs for the torques, divided into steps: first the compliance
-/// of the teeth, then the contact at all positions, and finally judge_load().
+/// The computation that loaded() performs for the torques, divided into steps. The steps are the
+/// compliance of the teeth, the contact at all positions, and judge_load().
 struct LoadTask {
   ContactSetup setup;
   LoadRequest request;  ///< without `progress`
@@ -74,7 +74,7 @@ struct LoadTask {
                               ///< double-helical gear
 
   ContactPair pair() const { return setup.pair(gear2_drives); }
-  /// The pair without errors, which K_Hα needs as a reference; none if there are no errors.
+  /// Returns the pair without errors, the reference for K_Hα, or none if there are no errors.
   std::optional<ContactPair> perfect_pair() const;
   Result<PairCompliance> compliance() const;
   LoadedContact contact(const PairCompliance& compliance) const;
@@ -90,8 +90,8 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
 /// the callers repeat the computation with fewer slices until there is a solution.
 bool halve_slices(std::array<int, 2>& slices);
 
-/// The contact of a task without root stress, with the helix slope deviations −`deviation` and
-/// +`deviation`, mm over the common face, normal to the flank. At most 16 positions are computed.
+/// Returns the contact without root stress for the helix slope deviations ±`deviation`, mm over the
+/// common face, normal to the flank, at no more than 16 positions.
 std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
                                               const PairCompliance& compliance, double deviation);
 
@@ -100,17 +100,17 @@ std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
 
-/// The note that a gear without a bore is held at a default diameter, mm. `code` is
+/// Returns the note that a gear without a bore is held at a default diameter, mm. `code` is
 /// held_at_half_the_root or held_at_rim_as_drawn.
 Warning held_without_bore(const std::string& gear, WarningCode code, double diameter);
 
-/// The warning that an edge of a tooth carries load under these torques, N mm.
+/// Returns the warning that an edge of a tooth carries load under these torques, N mm.
 Warning edge_carries_at(const std::vector<double>& torques);
 
 // Mesh stiffness and root stress by ISO 6336, for comparison with the results of loaded contact.
 
-/// The values of ISO 6336 for solid discs, at each torque for which `answer` contains contact.
-/// Empty if the standard does not cover the pair.
+/// Returns the values of ISO 6336 for solid discs, at each torque for which `answer` contains
+/// contact. The list is empty if the standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 
 /// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note
@@ -131,7 +131,7 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The tasks of the half at z > 0 and of the mirror image of the other half.
+/// Returns the tasks of the half at z > 0 and of the mirror image of the other half.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as load_task()
@@ -143,8 +143,8 @@ Result<std::vector<LoadTask>> load_tasks_of_halves(
 /// only one half is computed.
 bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
 
-/// Derives the input for one half from the input for the whole gears: half of the torque, and the
-/// deflections over this half. If `below` is true, the half is at z < 0. Its rotations and the
+/// Derives the input for one half, with half of the torque and the deflections over this half, from
+/// the input for the whole gears. If `below` is true, the half is at z < 0. Its rotations and the
 /// direction of z then apply to its mirror image. Probes are omitted.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);

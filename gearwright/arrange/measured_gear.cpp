@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// The default measuring diameter: the reference diameter if it lies on the usable flank, otherwise
-// the middle of the flank.
+// Returns the default measuring diameter. It is the reference diameter if this lies on the usable
+// flank, and otherwise the middle of the flank.
 double default_chord_diameter(const Gear& g) {
   const double d = g.reference_diameter;
   const auto flank = usable_flank(g);
@@ -127,7 +127,7 @@ class Measuring {
                     : " Measure over balls."));
   }
 
-  // The seat of a ball with the given diameter. If no diameter is given, the ball has the
+  // Returns the seat of a ball with the given diameter. If no diameter is given, the ball has the
   // standard size, or the ideal size if no ball of a standard size fits.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);

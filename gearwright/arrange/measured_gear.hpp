@@ -42,7 +42,6 @@ struct ThicknessAt {
   double helix;       ///< β_y  rad, signed
 };
 
-/// All inspection dimensions of one gear. A dimension that cannot be measured is absent.
 struct GearMeasures {
   std::optional<Span> span;
   std::vector<Span> spans;  ///< all spans that can be measured
@@ -57,27 +56,25 @@ struct GearMeasures {
   std::optional<FlankToleranceValues> tolerances;  ///< none if no grade is given
 };
 
-/// The gear, the tools, and additional data.
 struct MeasureRequest {
   int which = 1;
   MeasureInput tools{};        ///< absent tools are replaced by default tools
   const Pair* pair = nullptr;  ///< mounted pair, for the active flank; null for a single gear
   std::optional<double> bearing_span{};  ///< L  mm, for the tolerances of the axes
-  /// Converts an error to the text of a warning. If this function is empty, the error's message is
-  /// used.
+  /// Converts an error to the text of a warning. If it is not set, the error's message is used.
   std::function<std::string(const Error&)> words{};
 };
 
-/// All inspection dimensions of a gear. A dimension that cannot be measured is absent. If the tool
-/// of such a dimension is not given, a warning gives the reason: `no_chord`, `no_span` or
-/// `no_balls`. A tool that touches outside the usable flank also causes a warning.
+/// Returns all inspection dimensions of a gear. A dimension that cannot be measured is absent. If
+/// the tool of such a dimension is not given, one of the warnings `no_chord`, `no_span` and
+/// `no_balls` gives the reason. A tool that touches outside the usable flank also causes a warning.
 ///
 /// Errors    `gearN.measure.…` if a given tool does not fit
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,
                              std::vector<Warning>& warnings);
 Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools = {});
 
-/// The data of a gear that determine its flank tolerances, without the mating gear.
+/// Returns the data of a gear that determine its flank tolerances, without the mating gear.
 ToleranceSubject tolerance_subject(const Gear& gear);
 
 }  // namespace gearwright

@@ -130,7 +130,7 @@ void add_new(std::vector<Warning> found, std::vector<Warning>& warnings, std::st
 
 namespace {
 
-// A warning if the rim between the roots and the bore is thinner than Y_B of a rating allows.
+// Returns a warning if the rim between roots and bore is thinner than Y_B of a rating allows.
 std::optional<Warning> thin_rim(const Gear& gear, int which) {
   const double root = gear.root_diameter / 2;
   const double module = gear.spec.normal_module;

@@ -18,20 +18,20 @@ namespace gearwright {
 /// True if at least one profile shift is absent and is computed from the given centre distance.
 bool shifts_follow(const GivenPair& given);
 
-/// A note that lists the computed shifts, which are in `cylindrical`. None if no shift is computed
-/// or if all computed shifts are 0.
+/// Returns a note that lists the computed shifts, which are in `cylindrical`. Returns none if no
+/// shift is computed or if all computed shifts are 0.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
-/// A note about a gear with the pressure angle 14.5° whose rack is not given. The note names the
-/// standard rack of this pressure angle.
+/// Returns a note about a gear with the pressure angle 14.5° whose rack is not given. The note
+/// names the standard rack of this pressure angle.
 std::optional<Warning> note_rack(const GearInput& gear, int which);
 
-/// An error if shifts are missing and `pair.choose_profile_shifts` is false. The message names
-/// these shifts and gives possible values.
+/// Returns an error if shifts are missing and `pair.choose_profile_shifts` is false. The message
+/// names these shifts and gives possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);
 
-/// A note that, on crossed axes, the flanks of an internal pair overlap beside the line of
-/// action. None if the lead crowning in `given` prevents the overlap in both directions of
+/// Returns a note that, on crossed axes, the flanks of an internal pair overlap beside the line of
+/// action. Returns none if the lead crowning in `given` prevents the overlap in both directions of
 /// rotation.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
@@ -41,16 +41,16 @@ void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
              std::string_view before = {});
 inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
 
-/// The warning that the key or table `what` was ignored.
+/// Returns the warning that the key or table `what` was ignored.
 Warning not_read(const std::string& what);
 
-/// The error of a bore or rim that leaves too little material to the roots of the gear or to its
-/// groove, as returned by hole_error(). `groove` is the radius of the groove, mm.
+/// Returns the error of hole_error() if a bore or rim leaves too little material to the roots of
+/// the gear or to its groove. `groove` is the radius of the groove, mm.
 std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bore,
                                 std::optional<double> groove = {});
 
-/// A warning about the body of a gear. For an external gear, the warning states that the bore
-/// leaves no material below the roots. For an internal gear, it states that the rim leaves no
+/// Returns a warning about the body of a gear. For an external gear, the warning states that the
+/// bore leaves no material below the roots. For an internal gear, it states that the rim leaves no
 /// material outside the roots, or that the rim is too thin for the rim thickness factor of a
 /// rating. In a double-helical gear, the groove with the diameter `groove` mm also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);

@@ -100,8 +100,7 @@ LeadProposal propose_lead(const FaceDeflection& deflection, double deviation, do
 
 namespace {
 
-// Calls f(gear, at_tip, relief, field) for each relief that has no start, until f returns a
-// value.
+// Calls f(gear, at_tip, relief, field) for each relief without a start, until f returns a value.
 template <class Given, class F>
 auto first_without_start(Given& given, const F& f) {
   using Answer = decltype(f(1, true, given.gear(1).modifications[0].tip_relief, std::string()));

@@ -45,8 +45,8 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
 
 /// True if some tip or root relief has no start.
 bool lacks_relief_start(const GivenPair& given);
-/// The error about the first relief of a single gear without a start. The start of a relief can be
-/// computed only for a pair.
+/// Returns the error about the first relief of a single gear without a start. The start of a relief
+/// can be computed only for a pair.
 Error missing_relief_start(const GivenPair& given);
 
 /// Computes the start of each tip or root relief that has none, on both gears of a pair.
@@ -71,14 +71,14 @@ struct ReliefProposal {
   double root_factor = 1.0;  ///< C_f/C_a2; > 1 if the usable flank of gear 1 starts below its first
                              ///< point of contact
 
-  /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is f_pt of both gears together, mm,
-  /// normal to the flank.
+  /// Return C_a of each gear, and C_f of gear 1, mm. `pitch_deviation` is f_pt of both gears
+  /// together, mm, normal to the flank.
   std::array<double, 2> tip_amount(double pitch_deviation) const;
   double root_amount(double pitch_deviation) const;
 };
 
-/// The reliefs for the errors and deflections of the task. If `lead` is given, it replaces the
-/// flank modifications of the task.
+/// Returns the reliefs for the errors and deflections of the task. If `lead` is given, it replaces
+/// the flank modifications of the task.
 ///
 /// Formula   [T12.28], [T12.29], [T12.30]
 /// Domain    a pair with line contact, and the compliance of its teeth (contract)
@@ -89,7 +89,7 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      ReliefLength length,
                                                      const LeadProposal* lead = nullptr);
 
-/// The deflection that the shafts have under a torque on gear 1, N mm, plus the given
+/// Returns the deflection that the shafts have under a torque on gear 1, N mm, plus the given
 /// deflection. The load is assumed to be uniform over the face, because the proposed helix slope
 /// compensates the deflection and thus makes the load uniform.
 ///
@@ -98,7 +98,7 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
 FaceDeflection face_deflection(const LoadTask& task, const PairCompliance& compliance,
                                double torque);
 
-/// The helix slope and the crowning of gear 1 that compensate a deflection and a deviation.
+/// Returns the helix slope and the crowning of gear 1 that compensate a deflection and a deviation.
 ///
 /// `face_1` is the face of gear 1 and `face` the common face, mm. `deviation` is f_Hβ of both gears
 /// together over the common face, mm, normal to the flank.

@@ -88,8 +88,8 @@ TEST(ProposedFlanks, SlopeIsTheDeflectionOnAWiderFace) {
   EXPECT_FALSE(propose_lead({}, 0.0, 30, 30).any());
 }
 
-// [T12.32]: a flank with crowning C touches a plane that is inclined by F over the face at a
-// distance of F b/(8 C) from the middle, which is a quarter of the face.
+// [T12.32]: if a plane is inclined by F over the face, a flank with crowning C touches it at a
+// distance of F b/(8 C) from the middle. This distance is a quarter of the face.
 TEST(ProposedFlanks, CrowningKeepsTheContactInTheMiddleHalf) {
   constexpr double kF = 0.016;
   constexpr double kFace = 40.0;

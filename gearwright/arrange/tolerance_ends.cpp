@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-// The allowance E_sn, mm, of a tooth whose transverse thickness on the base cylinder is
+// Returns the allowance E_sn, mm, of a tooth whose transverse thickness on the base cylinder is
 // `base_thickness`. [T10.19]
 double allowance_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
@@ -27,8 +27,7 @@ double allowance_of(const Gear& gear, double base_thickness) {
 }
 
 // Returns an error if a measured dimension requires a thickness allowance of more than half a
-// pitch. The dimension then probably belongs to another number of spanned teeth or to another
-// gear.
+// pitch. The dimension is then probably that of another number of spanned teeth or another gear.
 std::optional<Error> other_teeth(const Gear& gear, const char* field, double read, double allowance,
                                  const std::string& remedy) {
   const double most = std::numbers::pi / 2 * gear.spec.normal_module;
@@ -109,7 +108,6 @@ const char* distance_member(const PairInput& pair) {
   return pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations";
 }
 
-// The lower and the upper deviation of the centre distance, mm.
 Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   const PairInput& pair = nominal.completed.pair;
   if (!nominal.pair || (!pair.distance_deviations && !pair.distance_tolerance))
@@ -127,8 +125,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   return std::optional<Ends>({-*half, *half});
 }
 
-// The tip diameter at one end of its tolerance. At end 0 the tooth is shorter, and at end 1 it
-// is longer. The longer tooth has the greater σ d_a.
+// Returns the tip diameter at one end of its tolerance. At end 0 the tooth is shorter, and at end 1
+// it is longer. The longer tooth has the greater σ d_a.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   const double side = gear.side();
   const auto [shorter, longer] = std::minmax({side * deviations[0], side * deviations[1]});
@@ -158,8 +156,8 @@ void follow_nominal(const Arranged& nominal, std::size_t i, GearInput& gear) {
   }
 }
 
-// The input at one end. End 0 has the thinnest and shortest teeth and the most backlash. End 1 has
-// the thickest and longest teeth and the least backlash.
+// Returns the input at one end. End 0 has the thinnest and shortest teeth and the most backlash.
+// End 1 has the thickest and longest teeth and the least backlash.
 GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<Ends>& deviations) {
   GivenPair given = nominal.completed;
   for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
@@ -190,8 +188,8 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   return given;
 }
 
-// The user gives a tolerance, and not the values at its ends. An error of the gears at an end is
-// therefore attributed to the tolerance.
+// Attributes an error of the gears at an end to the tolerance, because the user gives the tolerance
+// and not the values at its ends.
 Error of_tolerance(const Error& error, const GivenPair& given) {
   const auto [which, member] = subject_of(error.field);
   const auto from = [&](const std::string& field) {
@@ -311,8 +309,7 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // If the base cylinder is given, it determines the tooth thickness, which then has no
-    // tolerance.
+    // A given base cylinder determines the tooth thickness, which then has no tolerance.
     if (nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);

@@ -3,11 +3,11 @@
 //
 // The two ends of a tolerance are its least and its greatest permitted value. Within the small
 // range of a tolerance, backlash, contact ratio, clearances, tip thickness and safeties are
-// monotonic in each toleranced number. The least and the greatest value of each quantity
-// therefore occur at a combination of ends, which is called a corner. For example, the tip is
-// thinnest on a thin tooth with a great tip diameter. This combination is neither of the two ends
-// of the gear: one end has the thinnest tooth with the shortest tip, and the other end has the
-// thickest tooth with the longest tip.
+// monotonic in each toleranced number. The least and the greatest value of each quantity therefore
+// occur at a combination of ends, which is called a corner. For example, the tip is thinnest on a
+// thin tooth with a great tip diameter. This combination is neither of the two ends of the gear,
+// because one end has the thinnest tooth with the shortest tip, and the other end has the thickest
+// tooth with the longest tip.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@
 
 namespace gearwright {
 
-/// The input with numerical allowances in place of a DIN 3967 series, a span, or a dimension over
-/// balls.
+/// Returns the input with numerical allowances in place of a DIN 3967 series, a span, or a
+/// dimension over balls.
 ///
 /// Errors    `gearN.tolerance.…` if the series does not exist, if no tooth has the given dimension,
 ///           or if the measuring tool is missing
@@ -32,8 +32,8 @@ Result<GivenPair> with_allowances(const GivenPair& given);
 ///           diameter is outside the table of fits
 std::optional<Error> apply_tip_fits(Arranged& nominal);
 
-/// Gears and pair at both ends. `nominal.given` is the unchanged input. None if there are no
-/// tolerances.
+/// Returns gears and pair at both ends. `nominal.given` is the unchanged input. Returns none if
+/// there are no tolerances.
 ///
 /// Errors    as arrange() for the gears at one end; `gearN.tolerance.tip_…` if the tip has a
 ///           fillet; `pair.backlash` if the tolerance of the centre distance alone changes the
@@ -47,33 +47,30 @@ struct TolerancedNumber {
   Ends ends;  ///< least and greatest thickness allowance, tip diameter or centre distance, mm
 };
 
-/// The numbers that have a tolerance; empty if there are none.
 std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
 
 /// For each toleranced number, the end to use (0 or 1), or none for the nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 
-/// All combinations of ends.
+/// Returns all combinations of ends.
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances);
 
-/// The gears and the pair at one corner.   Errors  as arrange()
+/// Returns the gears and the pair at one corner.   Errors  as arrange()
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 
-/// The gears and the pair at those corners that can be arranged. Empty if only one number has a
-/// tolerance, because its corners are then the two ends.
+/// Returns the gears and the pair at those corners that can be arranged. The list is empty if only
+/// one number has a tolerance, because its corners are then the two ends.
 std::vector<Arranged> arranged_corners(const Arranged& nominal);
 
-/// A corner in words, for example "At a centre distance of 59.985 mm and a thickness allowance of
-/// −0.02 mm on gear 1".
+/// Returns a corner in words, for example "At a centre distance of 59.985 mm and a thickness
+/// allowance of −0.02 mm on gear 1".
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
 
-// Computes the gears and the pair at the mean of their tolerances. Without tolerances, computes
-// them as given.
-
-/// Returns the result of arrange() without `ends` and `given`. If allowances are given by a
-/// series or a measurement, the caller must first convert them to numbers by with_allowances().
+/// Returns the result of arrange() without `ends` and `given`. Gears and pair are computed at the
+/// mean of their tolerances. If allowances are given by a series or a measurement, the caller must
+/// first convert them to numbers by with_allowances().
 Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
 
 }  // namespace gearwright

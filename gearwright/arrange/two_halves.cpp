@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// The error of a gap that leaves the halves less than the least face width. `half` is one half of
-// a gear with the given face width.
+// Returns the error of a gap that leaves the halves less than the least face width. `half` is one
+// half of a gear with the given face width.
 std::optional<Error> rest_error(const CylindricalSpec& half, double gap, double face_width) {
   const auto error = check_limits(half);
   if (!error || error->field != "face_width") return std::nullopt;

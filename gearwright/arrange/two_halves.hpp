@@ -38,7 +38,7 @@ struct Halves {
 ///           `gear2.double_helical.stagger_pitches` if the staggers differ
 std::optional<Error> halve(GivenPair& given);
 
-/// The values of a double-helical gear that follow from its input.
+/// Returns the values of a double-helical gear that follow from its input.
 ///
 /// Formula   [T2.43], [T2.44]
 /// Domain    `half` has the face width of one half
@@ -47,14 +47,14 @@ std::optional<Error> halve(GivenPair& given);
 ///           the teeth
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
 
-/// The diameter of the groove between two halves, mm: as given, or d_f ∓ m_n/2; none without a gap.
+/// Returns the given groove diameter or d_f ∓ m_n/2, mm, or none without a gap.
 std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given);
 
-/// A warning if staggered halves have no gap between them.
+/// Returns a warning if staggered halves have no gap between them.
 std::optional<Warning> stagger_warning(const Halves& halves, int which);
 
-/// A warning if the run-out of the hob needs a wider gap. None if the gap is wide enough or no hob
-/// is given.
+/// Returns a warning if the run-out of the hob needs a wider gap. Returns none if the gap is wide
+/// enough or no hob is given.
 std::optional<Warning> run_out_warning(const Halves& halves, int which);
 
 }  // namespace gearwright

@@ -27,16 +27,16 @@ class Face {
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
-  /// The weights with which the nodal values add up to the value at z.
+  /// Returns the weights with which the nodal values add up to the value at z.
   Eigen::VectorXd at(double z) const;
-  /// The weights with which the nodal values add up to the slope at z.
+  /// Returns the weights with which the nodal values add up to the slope at z.
   Eigen::VectorXd slope_at(double z) const;
-  /// The weights with which the nodal values add up to the mean over [lo, hi].
+  /// Returns the weights with which the nodal values add up to the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
-  /// Solves in place: each column contains a load and is replaced by the amplitudes under this
-  /// load. A column lists all modes at the first node, then all modes at the second, and so on.
-  /// In the result, the amplitudes at the inner nodes of an element are incomplete, because they do
-  /// not contain the effect of the amplitudes at the ends of the element.
+  /// Replaces each column, which contains a load, by the amplitudes under this load. A column lists
+  /// all modes at the first node, then all modes at the second node, and so on. In the result, the
+  /// amplitudes at the inner nodes of an element do not yet contain the effect of the amplitudes at
+  /// its ends.
   void solve(Eigen::MatrixXd& columns) const;
   /// Returns `weights`ᵀ times the amplitudes at each node, including the effect that is missing at
   /// the inner nodes. `columns` is a result of solve().

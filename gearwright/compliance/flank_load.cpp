@@ -59,8 +59,8 @@ FlankPlace flank_place(const SectionMesh& mesh, double s) {
   const auto [arc, u] = mesh.arc_at(t);
   Complex tangent = std::polar(1.0, arc->at(u).tangent_angle);
   if (arc->end < arc->begin) tangent = -tangent;
-  // On the side y > 0, the outline runs from the tooth space to the tip. The material lies to its
-  // right for an external gear and to its left for an internal gear.
+  // On the side y > 0, the outline runs from the tooth space to the tip. The material of an
+  // external gear lies to the right of the outline, and that of an internal gear to the left.
   return {mesh.outline(t), tangent * Complex(0, -mesh.outward), tangent};
 }
 

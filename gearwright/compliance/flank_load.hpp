@@ -28,15 +28,15 @@ struct FlankPlace {
   std::complex<double> point, normal, tangent;
 };
 FlankPlace flank_place(const SectionMesh& mesh, double s);
-/// The arc length at which the outline of tooth 0 reaches `radius`, in modules.
+/// Returns the arc length at which the outline of tooth 0 reaches `radius`, in modules.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
 struct BumpPlace {
   double s, c;
 };
 
-/// The bump at s, with its force along the inward normal of the flank. For a helical gear (τ ≠ 0),
-/// the normal of the screw surface is used.
+/// Returns the bump at s, with its force along the inward normal of the flank. For a helical gear
+/// (τ ≠ 0), the normal of the screw surface is used.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
 Functional axial_bump(const SectionMesh& mesh, double s, double c);
 /// Moves the functional from tooth 0 to tooth k.

@@ -18,8 +18,8 @@ double bump_at(double x, double c) {
   return q > 0.0 ? 15.0 / (16.0 * c) * q * q : 0.0;
 }
 
-// The density of the difference t = x − x′, if the densities of x and x′ are bumps of the half
-// widths c and c_other. The integrand is a polynomial, so the quadrature is exact.
+// Returns the density of the difference t = x − x′, if the densities of x and x′ are bumps of the
+// half widths c and c_other. The integrand is a polynomial, so the quadrature is exact.
 double difference_density(double t, double c, double c_other) {
   static const GaussRule rule = gauss_rule(6);
   const double lo = std::max(-c, t - c_other);

@@ -1,5 +1,5 @@
-// The compliance of a single tooth at one position of its flank under a unit line force normal to
-// the flank, for comparison with finite elements and measurements.
+// Computes the compliance of a single tooth under a unit line force normal to its flank, for
+// comparison with finite elements and measurements.
 //                                      theory: docs/theory/12-loaded-contact.md, [T12.9]
 #pragma once
 
@@ -40,9 +40,9 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
-/// Displacement along the line of action, E·u/F′, due to the twist of the body under a line force
-/// F′ at the base radius. The body is the full disc between bore and root, or the rim of an
-/// internal gear between its roots and its outside diameter. [T12.16]
+/// Returns the displacement along the line of action, E·u/F′, due to the twist of the body under a
+/// line force F′ at the base radius. The body is the full disc between bore and root, or the rim of
+/// an internal gear between its roots and its outside diameter. [T12.16]
 double body_twist(double base_radius, double bore_radius, double root_radius, double poisson_ratio);
 
 }  // namespace gearwright

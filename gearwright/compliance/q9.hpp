@@ -31,7 +31,7 @@ const std::array<GaussPoint, 9>& gauss9();
 struct GaussRule {
   std::vector<double> x, weight;
 };
-/// The Gauss–Legendre rule with n points.   Domain: 1 ≤ n ≤ 64 (contract)
+/// Returns the Gauss–Legendre rule with n points.   Domain: 1 ≤ n ≤ 64 (contract)
 GaussRule gauss_rule(int n);
 
 }  // namespace gearwright::detail

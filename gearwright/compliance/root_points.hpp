@@ -1,4 +1,4 @@
-// Stress at the roots of teeth, from the amplitudes of the modes and their slopes along the face.
+// Computes the stress at the roots of teeth from amplitudes of the modes and their slopes.
 //
 //   σ = D (A f + B f′)   components xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.15]
@@ -22,7 +22,7 @@ struct RootPoints {
 
 RootPoints root_points(const ToothSection& section);
 
-/// The greatest principal stress of a stress tensor with the components xx, yy, zz, xy, yz, zx.
+/// Returns the greatest principal stress of a tensor with the components xx, yy, zz, xy, yz, zx.
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& stress);
 
 }  // namespace gearwright::detail

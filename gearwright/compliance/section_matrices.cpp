@@ -38,7 +38,7 @@ class BlockPattern {
         first_.push_back(first_.back() + 3 * static_cast<int>(list.size()));
     }
   }
-  // The index of the first of the three rows of node i, in column c of node j.
+  // Returns the index of the first of the three rows of node i, in column c of node j.
   Eigen::Index place(int i, int j, int c) const {
     const auto& list = beside_[j];
     const auto rank = std::lower_bound(list.begin(), list.end(), i) - list.begin();

@@ -18,7 +18,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// The matrix of Hooke's law, for strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
+/// Returns the matrix of Hooke's law, for strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½
+/// (contract)
 Matrix6 hooke(double youngs_modulus, double poisson_ratio);
 
 /// A and B for the 27 degrees of freedom of an element at the point `at`. [T12.4], [T12.5]

@@ -1,6 +1,6 @@
-// Finite elements of the transverse section of a gear. Some teeth are meshed with their exact
-// outline. The rest of the rim has no teeth and ends at the root circle. The section is fixed at
-// the bore. For an internal gear, it is fixed at the outside of the rim.
+// Describes the finite elements of the transverse section of a gear. Some teeth are meshed with
+// their exact outline. The rest of the rim has no teeth and ends at the root circle. The section is
+// fixed at the bore. For an internal gear, it is fixed at the outside of the rim.
 //
 //   t    position along half an outline, counted in elements: 0 in the middle of the tooth space, n
 //        at the tip land
@@ -61,7 +61,7 @@ struct SectionMesh {
   };
   OnArc arc_at(double t) const;
   std::complex<double> outline(double t) const;
-  /// The arc length of the outline from 0 to t, in normal modules.
+  /// Returns the arc length of the outline from 0 to t, in normal modules.
   double length_at(double t) const;
   double parameter_at(double length) const;  ///< the inverse of length_at()
 

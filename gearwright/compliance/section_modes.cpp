@@ -44,9 +44,9 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
   return out;
 }
 
-// Linear combinations of the displacement fields `snapshots` that are orthonormal with respect to
-// their strain energy. `loaded` is the matrix of the energy times the snapshots. Combinations with
-// small singular values are dropped.
+// Returns linear combinations of the displacement fields `snapshots` that are orthonormal with
+// respect to their strain energy. `loaded` is the matrix of the energy times the snapshots.
+// Combinations with small singular values are dropped.
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
   Eigen::MatrixXd energy(snapshots.cols(), snapshots.cols());
   energy.triangularView<Eigen::Lower>() = snapshots.transpose() * loaded;
@@ -85,7 +85,7 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
-// The displacements of all waves. The result does not depend on the number of threads.
+// Returns the displacements of all waves. The result does not depend on the number of threads.
 template <class Scalar>
 std::vector<StripSolver::Fields<Scalar>> solved(const StripSolver& strip,
                                                 const std::vector<StripWave>& waves,
@@ -104,9 +104,9 @@ std::vector<StripSolver::Fields<Scalar>> solved(const StripSolver& strip,
   return fields;
 }
 
-// Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due
-// to plane strain and to plane stress. The warping accounts for the unloaded end faces. If τ ≠
-// 0, waves under axial loads are added.
+// Returns the displacement fields of a spur section. They are waves, plane strain, plane stress,
+// and the warping due to plane strain and to plane stress, which accounts for the unloaded end
+// faces. If τ ≠ 0, waves under axial loads are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const StripSolver& strip, const SectionMesh& mesh,
                                               const SectionMatrices& wave, double nu,
                                               const std::vector<BumpPlace>& places, double tau,
@@ -132,8 +132,8 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const StripSolver& strip, const Se
   return fields;
 }
 
-// Real and imaginary parts of waves that follow the helix, under loads along the normal of the
-// screw surface. [T12.18]
+// Returns the real and imaginary parts of waves that follow the helix, under loads along the normal
+// of the screw surface. [T12.18]
 std::vector<Eigen::MatrixXd> fields_along_helix(const StripSolver& strip, const SectionMesh& mesh,
                                                 const SectionMatrices& own,
                                                 const std::vector<BumpPlace>& places, double tau,
@@ -151,17 +151,18 @@ std::vector<Eigen::MatrixXd> fields_along_helix(const StripSolver& strip, const 
   return fields;
 }
 
-// The matrices of arbitrary functions of z, from the matrices of waves and without a helix. B has
-// the opposite sign in the columns of u and v.
+// Returns the matrices of arbitrary functions of z, from the matrices of waves and without a helix.
+// B has the opposite sign in the columns of u and v.
 SectionMatrices not_of_waves(SectionMatrices wave) {
   for (Eigen::Index j = 0; j < wave.ab.cols(); ++j)
     if (j % 3 < 2) wave.ab.col(j) *= -1.0;
   return wave;
 }
 
-// The product of a matrix and the modes, in two parts: the rows of the degrees of freedom u and v,
-// and the rows of w. The columns of `across` are the modes with displacements in the plane of the
-// section, and the columns of `along` are the modes with displacements along the axis.
+// Returns the product of a matrix and the modes. The first part contains the rows of the degrees of
+// freedom u and v, and the second part the rows of w. The columns of `across` are the modes with
+// displacements in the plane of the section, and the columns of `along` are the modes with
+// displacements along the axis.
 std::array<RowMajor, 2> product(const Sparse& matrix, const RowMajor& across,
                                 const RowMajor& along) {
   const Eigen::Index modes = across.cols() + along.cols();

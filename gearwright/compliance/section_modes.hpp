@@ -1,6 +1,6 @@
-// Displacement modes of a loaded section. The modes are extracted from displacement waves along
-// the face and from solutions for the unloaded end faces. With these modes, the tooth is
-// computed as a beam along its face.
+// Computes the displacement modes of a loaded section from displacement waves along the face and
+// from solutions for the unloaded end faces. With these modes, the tooth is computed as a beam
+// along its face.
 //
 //   Φ     modes: first fields of u and v, then fields of w
 //   f(z)  amplitudes of the modes along the face
@@ -31,8 +31,8 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);
 
-/// Displacements of the section in plane strain under loads that are uniform along the face. The
-/// displacements are computed directly, without modes.
+/// Returns the displacements of the section in plane strain under loads that are uniform along the
+/// face. They are computed directly, without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads);
 

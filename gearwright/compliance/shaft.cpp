@@ -31,13 +31,13 @@ ShaftSection shaft_section_at(const Shaft& s, double z) {
   return {s.youngs_modulus * area * d * d / 16, kappa * shaft_modulus_of_shear(s) * area};
 }
 
-// Transverse force Q, bending moment K = E I ψ', slope ψ and deflection w at z.
+// Transverse force Q, bending moment K = E I ψ', slope ψ and deflection w of the shaft at z.
 struct ShaftState {
   double z = 0.0, Q = 0.0, K = 0.0, psi = 0.0, w = 0.0;
 };
 
-// The state at z, computed from a state at smaller z. Section and load must be constant between the
-// two. The equations are  Q' = −q,  K' = −Q − m,  ψ' = K/(E I),  w' = ψ + Q/(κ G A).
+// Returns the state at z from a state at a smaller z. Section and load must be constant in between.
+// The equations are  Q' = −q,  K' = −Q − m,  ψ' = K/(E I),  w' = ψ + Q/(κ G A).
 ShaftState shaft_state_at(const Shaft& s, const ShaftState& from, double z, double q, double m) {
   const double t = z - from.z;
   const ShaftSection section = shaft_section_at(s, from.z + t / 2);

@@ -1,4 +1,4 @@
-// Deflection of a stepped shaft on two bearings under the load of one gear, in one plane.
+// Computes the deflection of a stepped shaft on two bearings in one plane under the load of a gear.
 //
 //   z          mm along the axis, from the middle of the face        w    mm, deflection
 //   q, m       uniform force and moment per length of the face       ψ    slope of the sections
@@ -6,9 +6,8 @@
 //   I, A       second moment and area of a section of diameter d
 //   κ          shear coefficient of a solid circle, 6(1 + ν)/(7 + 6ν) (Cowper 1966)
 //
-// Section and load change only at certain points. Between these points, deflection and twist are
-// polynomials, which are evaluated in closed form. A shaft on two bearings is statically
-// determinate.
+// The shaft is statically determinate. Between the points at which section or load change,
+// deflection and twist are polynomials, which are evaluated in closed form.
 //                                                          theory: docs/theory/11-rating.md
 #pragma once
 
@@ -42,7 +41,7 @@ struct ShaftLoad {
   double lo = 0.0, hi = 0.0;  ///< z of the ends of the face, mm
 };
 
-/// Reaction forces of the bearings on the shaft, N, in the direction of w.
+/// Returns the reaction forces of the bearings on the shaft, N, in the direction of w.
 ///
 /// Domain    shaft.possible() (contract)
 std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& load);
@@ -51,7 +50,7 @@ struct ShaftDeflection {
   std::vector<double> w;      ///< mm
   std::vector<double> slope;  ///< ψ  rad; with shear, it differs from dw/dz
 };
-/// The deflection and the slope of the shaft at each of the values `z`, mm.
+/// Returns the deflection and the slope of the shaft at each of the values `z`, mm.
 ///
 /// Formula   [T11.49], [T11.50]
 /// Domain    shaft.possible(), lo < hi (contract)
@@ -60,14 +59,15 @@ struct ShaftDeflection {
 ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                  const std::vector<double>& z);
 
-/// Twist per torque and length of a solid body of the diameter `body`, 1/(G I_p)  rad/(N mm²).
+/// Returns the twist per torque and length, 1/(G I_p)  rad/(N mm²), of a solid cylinder with the
+/// diameter `body`.
 ///
 /// Formula   [T11.51]
 double shaft_twist_per_length(const Shaft& shaft, double body);
 
-/// Twist of a gear at each z of its face, rad, relative to the end of the face at which the torque
-/// acts. It is positive in the sense in which the mesh force turns the gear. The gear is treated as
-/// a solid cylinder with the diameter `body`, mm.
+/// Returns the twist of a gear at each z of its face, rad, relative to the end of the face at which
+/// the torque acts. The twist is positive in the sense in which the mesh force turns the gear. The
+/// gear is treated as a solid cylinder with the diameter `body`, mm.
 ///
 /// Formula   [T11.51]
 /// Domain    shaft.possible(), lo < hi, every z within [lo, hi] (contract)

@@ -1,4 +1,4 @@
-// Influence coefficients between the slices of a face, due to the shaft of the gear.
+// Computes the influence coefficients between the slices of a face due to the shaft of the gear.
 //
 //   G_w, G_wm, G_m   w due to a force, w due to a moment, ψ due to a moment, in one plane
 //   Φ                twist of the gear due to a torque
@@ -23,8 +23,8 @@ struct ShaftInfluence {
   Eigen::MatrixXd twist;   ///< Φ     rad/(N mm)
 };
 
-/// Computes the coefficients for slices in mm. The gear twists like a solid body of the diameter
-/// `body`, mm.
+/// Computes the coefficients for slices in mm. The gear twists like a cylinder with the diameter
+/// `body`.
 ///
 /// Formula   [T12.34]
 /// Domain    shaft.possible() (contract)

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index;
 
-// The unconstrained nodes in approximate minimum degree order, which keeps the factors sparse.
+// Returns the unconstrained nodes in minimum degree order, which keeps the factors sparse.
 std::vector<int> elimination_order(const SectionMesh& mesh) {
   std::vector<int> place(mesh.nodes.size(), 0);
   for (const int i : mesh.bore) place[i] = -1;
@@ -38,7 +38,7 @@ std::vector<int> elimination_order(const SectionMesh& mesh) {
   return out;
 }
 
-// For each entry of a matrix with a symmetric pattern, the index of its mirror image.
+// Returns, for each entry of a matrix with a symmetric pattern, the index of its mirror image.
 std::vector<int> mirrored_entries(const Sparse& m) {
   std::vector<int> next(m.outerIndexPtr(), m.outerIndexPtr() + m.cols());
   std::vector<int> mirrored(static_cast<std::size_t>(m.nonZeros()));
@@ -46,7 +46,7 @@ std::vector<int> mirrored_entries(const Sparse& m) {
   return mirrored;
 }
 
-// An entry of K(k). [T12.6], [T12.18]
+// Returns an entry of K(k). [T12.6], [T12.18]
 double at_wave(double aa, double ab, double ba, double bb, double k, double) {
   return aa + (k * (ab + ba) + k * k * bb);
 }
@@ -55,7 +55,6 @@ std::complex<double> at_wave(double aa, double ab, double ba, double bb, double 
   return {aa + k * k * bb, k * (ab - ba)};
 }
 
-// The quotients of the lanes.
 template <int N>
 Eigen::Array<double, N, 1> divided(const Eigen::Array<double, N, 1>& a,
                                    const Eigen::Array<double, N, 1>& b) {

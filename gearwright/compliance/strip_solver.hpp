@@ -1,8 +1,8 @@
 // Solves for displacements of a section that vary along the face as waves. [T12.6], [T12.18]
 //
-// The matrices of all waves have the same entries that are not zero, so the order of elimination and
-// the entries of the factors are found once. The factors L D Lᴴ of several waves are computed
-// together, which reads each index once for all of them.
+// The matrices of all waves have nonzero entries at the same positions, so the order of elimination
+// and the positions of the entries of the factors are found once. The factors L D Lᴴ of several
+// waves are computed together, which reads each index once for all of them.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -30,10 +30,10 @@ class StripSolver {
   template <class Scalar>
   static constexpr int kTogether = 4;
 
-  /// `pattern` are any matrices of the section.
+  /// `pattern` may be any matrices of the section, because only their pattern is used.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& pattern);
-  /// Displacements of all degrees of freedom under the columns of the loads of each wave. Only
-  /// unconstrained nodes move. Thread-safe.
+  /// Returns the displacements of all degrees of freedom under the columns of the loads of each
+  /// wave. The displacements of constrained nodes are 0. The function is thread-safe.
   ///
   ///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz
   ///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz)
@@ -51,8 +51,8 @@ class StripSolver {
   void find_factor_entries();
 
   std::vector<int> free_;  // unconstrained degrees of freedom, in the order of elimination
-  // Entries of the upper triangle of K, column by column: row, and index in the values of
-  // SectionMatrices of the entry and of its mirror image in the diagonal.
+  // An entry of the upper triangle of K. `at` and `mirrored` are the indices of the entry and of
+  // its mirror image in the values of SectionMatrices. Entries are stored column by column.
   struct Entry {
     int row, at, mirrored;
   };

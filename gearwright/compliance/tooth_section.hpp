@@ -1,6 +1,6 @@
-// The section of a tooth for the computation of the compliance: the mesh, the positions on the
-// flank that the tables use, and the modes. These data depend on the outline and the helix but not
-// on the face width.
+// Contains the data of a tooth section from which the compliance is computed. They are the mesh,
+// the positions on the flank that the tables use, and the modes, and they do not depend on the face
+// width.
 //
 //   Lengths are in normal modules, and E = 1. A compliance is E·u·m_n/F, or E·u/F′ in plane strain.
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -40,16 +40,16 @@ struct ToothSection {
   std::vector<double> radius_lengths;       ///< arc lengths at evenly spaced radii of the flank
   double radius_lo = 0.0, radius_hi = 0.0;  ///< radii at the ends of the flank
 
-  /// The arc length at a radius, both in modules. Beyond the flank, it is extrapolated linearly.
+  /// Returns the arc length at a radius, in modules, extrapolated linearly beyond the flank.
   double length_at_radius(double radius) const;
   FlankMetric metric(double s) const;
 };
 
-/// Mesh options for the section of a gear. The section turns by `twist` along the face, rad/mm.
+/// Returns mesh options for a section that turns by `twist` along the face, rad/mm.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
-/// The half width of a bump at s: 0.3 modules, or less near the tip.
+/// Returns the half width of a bump at s, which is 0.3 modules, or less near the tip.
 double bump_width(double s, double flank_hi);
 }  // namespace detail
 /// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the

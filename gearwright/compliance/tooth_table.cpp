@@ -19,7 +19,8 @@ constexpr double kTableElement = 0.5;  // modules: length of an element along th
 // At distances from the end of the face above this limit, modules, the mirror images of bump and
 // strip cause equal displacements.
 constexpr double kImageReach = 2.0;
-// The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
+// Returns the slice at −z if slice j is at z. For a spur gear, both slices have the same
+// coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }
 
 }  // namespace
@@ -40,8 +41,8 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
   make_local(request);
 }
 
-// Weights of cubic interpolation through the four evenly spaced positions around x. Near an end,
-// the first or last four positions are used instead.
+// Returns the weights of cubic interpolation through the four evenly spaced positions around x.
+// Near an end, the first or last four positions are used instead.
 ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
   const double step = places[1] - places[0];
   Weights w{};
@@ -67,8 +68,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Projections onto the modes: of loads at the positions on tooth 0, and of displacements at the
-  // positions on teeth −side … side.
+  // Projections onto the modes. `load` is for loads at the positions on tooth 0, and `read` is for
+  // displacements at the positions on teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {

@@ -1,6 +1,6 @@
-// Tables of influence coefficients between positions on the flanks of a gear. A position is given
-// by a slice of the face and an arc length along the flank. The same tables are used for all
-// rotations, torques and errors.
+// Computes tables of influence coefficients between positions on the flanks of a gear. A position
+// is given by a slice of the face and an arc length along the flank. The same tables are used for
+// all rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -24,7 +24,7 @@ struct FaceSlices {
   double lo = 0.0, hi = 0.0;
   double width() const { return (hi - lo) / count; }
   double middle() const { return (lo + hi) / 2; }
-  /// The mirror image of the slices in the plane z = 0.
+  /// Returns the mirror image of the slices in the plane z = 0.
   FaceSlices reflected() const { return {count, -hi, -lo}; }
   double middle(int j) const { return lo + (j + 0.5) * width(); }
 };
@@ -51,25 +51,25 @@ class ToothTable {
   ToothTable(std::shared_ptr<const detail::ToothSection> section, const ToothTableRequest& request);
 
   const detail::ToothSection& section() const { return *section_; }
-  /// Coefficients C between the slices of one contact line, as a symmetric matrix.
+  /// Returns the coefficients C between the slices of one contact line, as a symmetric matrix.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Coefficients for displacements on the line `read` of tooth k (≠ 0) under forces on the line
-  /// `loaded` of tooth 0. Rows are slices of `read`, and columns are slices of `loaded`. If |k|
-  /// exceeds side_teeth(), the result for the farthest tooth in the finite-element mesh is
+  /// Returns the coefficients for displacements on the line `read` of tooth k (≠ 0) under forces on
+  /// the line `loaded` of tooth 0. Rows are slices of `read`, and columns are slices of `loaded`.
+  /// If |k| exceeds side_teeth(), the result for the farthest tooth in the finite-element mesh is
   /// returned, because only the rotation of the body has an effect at such distances.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
 
-  /// The forces that act on the slices of a line, distributed over the grid of the table. The
-  /// grid has a row per slice and a column per position along the flank.
+  /// Returns the forces that act on the slices of a line, distributed over the grid of the table.
+  /// The grid has a row per slice and a column per position along the flank.
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   /// Distributes a unit force at a position over the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
-  /// The displacement on tooth k, averaged with the weights `read`, under the forces `loaded` on
-  /// tooth 0. It is the sum of the first two terms of [T12.9], so it does not include the
-  /// deformation at the contact itself. The mirror images of H[b, b] beyond the ends of the face
-  /// are omitted, because the corresponding images of H[a, a] are not part of the result.
+  /// Returns the displacement on tooth k, averaged with the weights `read`, under the forces
+  /// `loaded` on tooth 0. The result is the sum of the first two terms of [T12.9] and does not
+  /// include the deformation at the contact itself. The mirror images of H[b, b] beyond the ends of
+  /// the face are omitted, because the corresponding images of H[a, a] are not part of the result.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
   /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces
   /// on the grid of tooth 0. `stress` has six rows per point and a column per slice.

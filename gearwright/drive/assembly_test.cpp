@@ -41,8 +41,8 @@ int places_by_trying(int z_1, int z_p1, int z_2, int z_p2, int grid) {
   for (int n = 0; n < grid; ++n) {
     bool fits = false;
     for (int k = 0; k < z_p1 && !fits; ++k) {
-      // With χ = (k + z_1 n/grid)/z_p1 turns, z_p2 χ − z_2 n/grid must be whole. Here, it is
-      // multiplied by grid z_p1.
+      // With χ = (k + z_1 n/grid)/z_p1 turns, z_p2 χ − z_2 n/grid must be a whole number. The code
+      // multiplies this condition by grid z_p1.
       const long long teeth = static_cast<long long>(z_p2) * (static_cast<long long>(k) * grid +
                                                               static_cast<long long>(z_1) * n) -
                               static_cast<long long>(z_2) * n * z_p1;
@@ -114,7 +114,7 @@ double event_after(int z, double u) {
   double least = 2.0;
   for (int k = -std::abs(z); k <= 2 * std::abs(z); ++k) {
     // A gear that turns counter-clockwise brings tooth k from k/|z| to u after (u − k/|z|)·|z|
-    // periods; a ring turns the other way.
+    // periods. A ring turns in the opposite sense.
     const double t = (u - static_cast<double>(k) / std::abs(z)) * z;
     if (t > -1e-9 && t < least) least = t;
   }

@@ -45,8 +45,8 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Returns the speeds of all bodies for the speeds of the inputs that the user gives. A single input
-// has the speed 1.
+// Returns the speeds of all bodies. A single input has the speed 1. Several inputs have the speeds
+// that the user gives. Returns none if these speeds are missing.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
@@ -147,8 +147,8 @@ std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& me
   return list;
 }
 
-// In a drive with several inputs, the torque of the first input determines all other torques.
-// Another input may therefore have to brake.
+// In a drive with several inputs, the torque of the first input determines all other torques. As a
+// result, the torque of another input may oppose its rotation.
 void report_power_against_inputs(Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const auto speeds = speeds_of(drive);

@@ -1,5 +1,5 @@
-// Computes a whole drive: speeds, torques, losses, teeth, backlash, and the places and phases of
-// the planets.
+// Computes speeds, torques, losses, teeth and backlash of a whole drive, and the places and phases
+// of its planets.
 //
 //   const auto graph = graph_of(set);  // a PlanetarySpec
 //   const auto drive = make_drive({*graph});
@@ -41,9 +41,8 @@ struct DriveError {
     double amplitude;        ///< amplitude, rad; for a rack, 2π is a travel of one pitch
   };
   /// Peak-to-peak value, rad. If the meshes have several frequencies, the values of all frequencies
-  /// are added. The error reaches this sum at times at which all peaks coincide. Meshes of the same
-  /// planets under load are treated together: their value is the range over all combinations of
-  /// their positions [T13.26b].
+  /// are added. The error reaches this sum at times at which all peaks coincide. The loaded meshes
+  /// of one set have a common value, the range over all combinations of their positions [T13.26b].
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< lines in the order of frequency
   /// p_t/2π mm, set if the output is a rack. The error of the rack's travel in mm is `lever` times
@@ -59,15 +58,15 @@ struct PlanetShares {
   /// The share of each planet in the mesh with the greatest force, [planet][position].
   std::vector<std::vector<double>> share;
   std::vector<double> least, greatest;  ///< least and greatest share of each planet in this mesh
-  /// Each loaded mesh of the set, and its K_γ = N max share [T13.26]. The meshes have the same K_γ
-  /// unless a planet has more than two meshes.
+  /// The index and the mesh load factor K_γ = N max share of each loaded mesh [T13.26]. All meshes
+  /// of a set have the same K_γ, except if a planet has more than two meshes.
   std::vector<std::pair<std::size_t, double>> mesh_load_factors;
   std::optional<std::size_t> floating;  ///< body that is free to move radially
   std::vector<Vec2> displacement;       ///< displacement of the floating body, mm, at each position
   std::optional<double> greatest_displacement;  ///< mm, over all positions; none if no body floats
 
   double mean(std::size_t planet) const;
-  /// The mesh with the greatest K_γ, and its K_γ.
+  /// Returns the mesh with the greatest K_γ, and its K_γ.
   std::pair<std::size_t, double> mesh_load_factor() const;
 };
 
@@ -90,7 +89,7 @@ struct LoadedDrive {
 /// one pitch.
 struct DriveBacklash {
   double input, output;
-  std::optional<double> input_lever{}, output_lever{};  ///< p_t/2π  mm, of a rack, as in DriveError
+  std::optional<double> input_lever{}, output_lever{};  ///< as DriveError::lever, for a rack
 };
 
 /// Rating of a mesh as a pair of gears, computed by drive/drive_rating.hpp.
@@ -110,8 +109,8 @@ struct MeshContact {
                                     ///< the non-working flanks never touch
   ContactResult on_halves;          ///< contact of the working flanks of a double-helical pair
 
-  /// The contact that the verdict judges. For a double-helical pair, this is the contact of its
-  /// halves. For any other pair, it is the contact of the working flanks.
+  /// Returns the contact that the verdict judges. For a double-helical pair, this is the contact of
+  /// its halves. For any other pair, it is the contact of the working flanks.
   const ContactResult& judged() const { return on_halves.positions.empty() ? driving : on_halves; }
 };
 
@@ -150,8 +149,7 @@ struct Drive {
   /// Returns p_t/2π, mm. A travel that is stored as an angle is multiplied by this factor to
   /// convert it to mm. Returns none if rack_pitch() is none.
   std::optional<double> lever(std::size_t body) const;
-  /// Returns the speed v = n p_t of the body of a rack, m/s. Returns none if the speed or the pitch
-  /// is unknown.
+  /// Returns the speed v = n p_t of a rack, m/s, or none if the speed or the pitch is unknown.
   std::optional<double> linear_speed(std::size_t body) const;
   /// Returns the external force on the body of a rack, F = 2π T/p_t, N. Returns none if the torque,
   /// the power flow or the pitch is unknown, or if the drive is self-locking.
@@ -172,7 +170,7 @@ struct Drive {
   std::optional<std::size_t> frame_of_body(std::size_t body) const;
 };
 
-/// The graph of a drive. For a train, also a separate graph of each stage.
+/// The graph of a drive and, for a train, the separate graph of each stage.
 struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};

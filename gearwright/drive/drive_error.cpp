@@ -45,8 +45,7 @@ class DriveCurves {
  public:
   DriveCurves(const Drive& drive, const MeshErrors& errors) : drive_(drive), errors_(errors) {}
 
-  // Computes the curves of the meshes that move the output. Returns false if a curve cannot be
-  // computed.
+  // Computes the curves of the meshes that move the output. Returns false if this is impossible.
   bool make() {
     auto phases = detail::phases_of(drive_);
     if (!phases) return false;
@@ -155,7 +154,8 @@ class DriveCurves {
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
-        // The curve starts half a pitch before its middle, which is the reference of the phase.
+        // The curve starts half a pitch before its middle. The middle is the reference of the
+        // phase.
         wave += (e[static_cast<std::size_t>(j)] - e[0]) *
                 std::conj(root_of_unity(k * (j + kErrorPositions / 2)));
       }

@@ -272,8 +272,8 @@ double te_at(Transmission& transmission, double rotation1) {
   return pair.turned() * transmission.at(pair.to_world(rotation1)).te();
 }
 
-// The error of the output of pinion_between() while the wheel turns by one pitch: the travel of the
-// rack in mm, or the rotation of the wheel in rad. The pinion turns by x_w from the position in
+// The error of the output of pinion_between() while the wheel turns by one pitch, as the travel of
+// the rack in mm or the rotation of the wheel in rad. The pinion turns by x_w from the position in
 // which a tooth points to the wheel, and by x_r from the position in which a tooth points to the
 // rack.
 std::vector<double> pinion_turned_by_hand(const Drive& drive, double to_wheel, double to_rack,
@@ -362,8 +362,8 @@ TEST(DriveErrorTest, IdleMeshesDoNotCount) {
   expect_same({});
 }
 
-// (7) The curves of the contacts of a drive are used as they are: they give the same error, bit by
-// bit, and curves of twice the height give twice the error.
+// (7) The curves of the contacts of a drive give the same error, bit by bit. Curves of twice the
+// height give twice the error.
 TEST(DriveErrorTest, ContactsAreNotComputedAgain) {
   const MeshErrors errors = [](std::size_t) {
     ContactErrors e;

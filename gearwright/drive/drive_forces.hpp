@@ -30,8 +30,7 @@ struct BodyForces {
   double tilting;  ///< moment of the axial forces, which tilts the body  N mm
 };
 
-/// Returns the forces of a mesh. Returns none without a torque, a power flow or the geometry of the
-/// mesh.
+/// Returns the forces of a mesh, or none without a torque, a power flow or the mesh geometry.
 ///
 /// Formula   [T13.29]
 std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh);

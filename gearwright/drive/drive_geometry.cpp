@@ -19,8 +19,7 @@ namespace {
 
 using Fault = GeometryFault;
 
-// True if the tooth data of both gears of a mesh are known. The numbers of teeth alone are not
-// enough.
+// True if the tooth data of both gears of a mesh are known, not only the numbers of teeth.
 bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
@@ -202,14 +201,13 @@ void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// True if the tip diameter of a gear follows from its generating rack, and may therefore be
-// changed.
+// True if the tip diameter follows from the generating rack and may therefore be changed.
 bool free_tip(const DriveGear& gear) {
   return gear.spec && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
-// The gears are mounted after all tip diameters are known, because a mounted pair is searched for
-// collisions. Before, only the meshes of their flanks are computed.
+// Mounts the gears after all tip diameters are known, because mounting includes a search for
+// collisions. The tip diameters are found from the meshes of the flanks.
 class MeshMounting {
  public:
   MeshMounting(const DriveGraph& graph, DriveGeometry& made)
@@ -236,8 +234,8 @@ class MeshMounting {
     return {&*made_.gears[one], &*made_.gears[two]};
   }
 
-  // Computes the mesh of two involute gears. Any other pair, and a pair that cannot be mounted, is
-  // mounted at once.
+  // Computes the mesh of two involute gears. If there is no such mesh, calls mount_mesh(), which
+  // mounts pairs of other teeth and reports why a pair cannot be mounted.
   void find_mesh(std::size_t m) {
     meshes_[m].reset();
     const auto& [one, two] = graph_.meshes[m].gears;
@@ -280,7 +278,7 @@ class MeshMounting {
 
   // The tips of a ring with the full addendum of its rack often reach beyond the root ends of the
   // flanks of its mating gears. If no tip diameter is given, the tips are therefore cut back so
-  // that they touch only these flanks.
+  // that they touch these flanks only.
   void turn_out_rings() {
     constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
@@ -342,8 +340,7 @@ std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, st
 
 namespace {
 
-// Returns the ratio of tooth thickness to pitch on the circle with the transverse pressure angle
-// α_wt.
+// Returns the ratio of thickness to pitch on the circle with the pressure angle α_wt.
 double thickness_share_at(const Gear& gear, double alpha_wt) {
   const auto& reference = gear.reference();
   return 0.5 +

@@ -72,10 +72,9 @@ DriveGeometry drive_geometry(const DriveGraph& graph);
 /// Accuracy  |j_n − backlash| < 1e-9 mm, if all teeth can be made thin enough
 DriveGraph with_backlash(DriveGraph graph);
 
-/// Position of a planet in the frame of its carrier.
 struct RiderPlace {
-  double distance;  ///< from the axis of the carrier to the axis of the planet  mm
-  double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
+  double distance;  ///< distance of the planet from the axis of the carrier  mm
+  double angle;     ///< direction to copy 0, counter-clockwise from copy 0 of the first rider  rad
 };
 
 /// Computes the positions of the planets of a group from the centre distances of their meshes, in
@@ -108,8 +107,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
 /// Formula   [T2.24], [T2.37]; j_bt = j_n cos α_wn/cos β_b
 std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh);
 
-/// Returns the ratio of tooth thickness to pitch on the working pitch circle of gear 1 or 2 of a
-/// pair.
+/// Returns the ratio of thickness to pitch on the working pitch circle of gear 1 or 2 of a pair.
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
 double thickness_share(const InvolutePair& pair, int which);

@@ -98,8 +98,9 @@ struct DriveGraph {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];
   }
   const DriveBody& body(const DriveGear& gear) const { return bodies[gear.body]; }
-  /// Returns the carrier that is the frame of a mesh, or none if the frame is the housing.   Domain
-  ///  a checked graph
+  /// Returns the carrier that is the frame of a mesh, or none if the frame is the housing.
+  ///
+  /// Domain    a graph that passes check_graph()
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
   /// Returns the number of copies of a mesh. This is the number of copies of its planets, or 1
   /// without planets.

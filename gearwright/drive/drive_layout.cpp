@@ -81,8 +81,7 @@ class Layout {
     known_.assign(made_.gears.size(), 0);
   }
 
-  // Returns the two placed gears of a mesh for one copy of its planets. A central gear has only one
-  // copy.
+  // Returns the placed gears of a mesh for one copy of its planets. A central gear has one copy.
   std::array<std::size_t, 2> placed(const DriveMesh& mesh, int copy) const {
     std::array<std::size_t, 2> two{};
     for (const std::size_t k : {0, 1}) {
@@ -115,8 +114,8 @@ class Layout {
   }
 
   std::optional<Error> find_angles() {
-    // The function turns each gear on a fixed axis, and each gear on copy 0 of a planet, until its
-    // teeth mesh with a gear whose angle is already known.
+    // Each gear on a fixed axis or on copy 0 of a planet is turned until its teeth mesh with a gear
+    // whose angle is known.
     for (std::size_t root = 0; root < graph_.gears.size(); ++root) {
       if (known_[first_[root]]) continue;
       known_[first_[root]] = 1;
@@ -255,9 +254,9 @@ class Layout {
   std::vector<char> known_;
 };
 
-// Returns the least T > 0 for which a T is a whole number for every speed a. T is the least common
-// multiple of the denominators of the speeds, divided by the greatest common divisor of their
-// numerators.
+// Returns the least T > 0 whose product with each of the speeds is a whole number. T is the least
+// common multiple of the denominators of the speeds, divided by the greatest common divisor of
+// their numerators.
 std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
   long long p = 0;
   Rational q = 1;

@@ -41,8 +41,7 @@ struct DriveLayout {
 
   /// Returns φ of a placed gear at a height.
   double angle_at(const Drive& drive, std::size_t placed, double height) const;
-  /// Returns the axis of a placed gear, mm. For a rack, returns the middle of its datum line at the
-  /// height.
+  /// Returns the axis of a placed gear, mm, or the middle of a rack's datum line at the height.
   Vec2 axis_at(const Drive& drive, std::size_t placed, double height) const;
 };
 

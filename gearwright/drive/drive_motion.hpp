@@ -23,7 +23,7 @@ namespace gearwright {
 
 struct DriveMotion {
   int freedom = 0;  ///< f
-  /// ω of each body per unit speed of each input: speeds[body][input].
+  /// ω of each body per unit speed of each input, [body][input].
   std::vector<std::vector<Rational>> speeds;
   std::optional<Rational> ratio;   ///< i; none with several inputs
   std::optional<Rational> period;  ///< turns of the input after which all positions repeat

@@ -7,7 +7,7 @@
 //                                              theory: docs/theory/11-rating.md, 13-drives.md
 //
 // Per turn, a tooth of a central gear engages with N planets. A planet between a sun and a ring is
-// driven in one mesh and drives in the other. The teeth of such a gear are bent in both directions.
+// driven in one mesh and drives in the other, so its teeth are bent in both directions.
 #pragma once
 
 #include <functional>

@@ -323,7 +323,7 @@ TEST(Drive, PlayOfEveryBodyIsTheRangeOverAllFlanks) {
     std::array<double, 4> least{}, greatest{};
     for (const double u : {0.0, gap[0]}) {
       for (const double v : {0.0, gap[1]}) {
-        // The ring and `held` stand still. The first unknown is the carrier or the sun, and the
+        // The ring and `held` do not move. The first unknown is the carrier or the sun, and the
         // second unknown is the planet.
         const std::size_t free = held == 0 ? 2 : 0;
         const double a = mesh[0][free], b = mesh[0][3], c = mesh[1][free], d = mesh[1][3];

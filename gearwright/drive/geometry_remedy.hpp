@@ -1,5 +1,5 @@
-// Finds changes that make the teeth of a drive possible: another centre distance, another number of
-// teeth of the central gear, or another backlash.
+// Finds changes that make the teeth of a drive possible. The centre distance, the number of teeth
+// of the central gear, or the backlash can change.
 //
 // Every change is tried. A change is accepted if it leaves no fault in any gear or mesh of the
 // whole drive.                                           theory: docs/theory/13-drives.md, [T13.15]
@@ -44,10 +44,10 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
 void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 
 /// Replaces each fault that is caused only by the impossible backlash of a mesh. The new fault of
-/// this mesh gives three values: the backlash, the thickness allowances that this backlash
-/// requires, and the greatest or least possible backlash if the other meshes keep their backlash.
-/// `given` is the graph without the allowances of with_backlash(), and `thinned` is the graph with
-/// these allowances. Returns false if no backlash causes a fault.
+/// this mesh gives the backlash, the thickness allowances that this backlash requires, and the
+/// greatest or least possible backlash if the other meshes keep their backlash. `given` is the
+/// graph without the allowances of with_backlash(), and `thinned` is the graph with these
+/// allowances. Returns false if no backlash causes a fault.
 ///
 /// Accuracy  the limit is possible, and a backlash 0.002 mm beyond the limit is impossible
 bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeometry& made);

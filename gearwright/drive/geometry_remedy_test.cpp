@@ -90,7 +90,7 @@ Drive with_backlash_in(DriveGraph graph, const std::vector<double>& backlash) {
 }
 
 // Reads the limit of each fault, which must have these words and name its mesh. The mesh runs with
-// this backlash, and not with a backlash `beyond` the limit.
+// the limit as backlash, but not with a backlash that exceeds the limit by `beyond`.
 void expect_limits(const DriveGraph& graph, const std::vector<double>& backlash,
                    const std::vector<std::size_t>& at_fault, const std::string& words,
                    double beyond) {

@@ -1,9 +1,8 @@
-// Computes the equilibrium of bodies between one-sided springs, which gives the load shares of
-// planets.
+// Computes the equilibrium of bodies between one-sided springs, for the load shares of planets.
 //
 //   x      unknown displacements, mm     y = c·x + y_0   approach of a spring's bodies, mm
-//   F(δ)   force of a spring at the approach δ = y + e; F = 0 if the bodies of the spring do not
-//   touch Σ w F c = Q                                                        [T13.25]
+//   F(δ)   force of a spring at the approach δ = y + e, 0 if the bodies of the spring do not touch
+//   Σ w F c = Q   equilibrium; w weight of a spring, Q load                           [T13.25]
 //                                              theory: docs/theory/13-drives.md
 //
 // The solution is the minimum of a convex energy: Σ w ∫F dδ − Q·x. A body that no spring touches
@@ -59,8 +58,7 @@ inline constexpr int kSharingSteps = 200;
 ///           resists (contract)
 SharingSolution share_load(const SharingProblem& problem);
 
-/// Solves the same problem as the function above, but starts the iteration from the displacements
-/// `start`.
+/// Solves the same problem, but starts the iteration from the displacements `start`.
 SharingSolution share_load(const SharingProblem& problem, Eigen::VectorXd start);
 
 }  // namespace gearwright::detail

@@ -23,14 +23,14 @@ class LoadSpring {
     double force = 0.0, slope = 0.0;
   };
 
-  /// The spring with F = k δ.
+  /// Returns the spring with F = k δ.
   static LoadSpring linear(double stiffness);
   /// Makes the spring through the nodes, which may be given in any order. If the force or the
   /// approach of a node does not exceed the value at the node before it, this node is omitted.
   ///
-  /// Formula   cubic Hermite pieces whose slopes are limited to three times the secants (Fritsch
-  ///           and Carlson 1980), so that F rises everywhere. Below the first node, the parabola
-  ///           with the slope of that node. Above the last node, the tangent at that node; [T13.24]
+  /// Formula   F consists of cubic Hermite pieces. Their slopes are limited to three times the
+  ///           secants (Fritsch and Carlson 1980), so that F rises everywhere. Below the first
+  ///           node, F is a parabola. Above the last node, F is the tangent; [T13.24]
   /// Laws      exact at the nodes; if the nodes are on a line through 0, the spring is this line
   /// Domain    a node with approach, force and slope > 0 (contract)
   explicit LoadSpring(std::vector<SpringNode> nodes);

@@ -26,16 +26,15 @@ using detail::PlanetEquilibrium;
 using detail::PlanetState;
 using detail::set_of;
 
-/// Limit of the common multiple in positions_of(). If the number of planets of a set would raise
-/// the multiple above this limit, the multiple does not include this number.
+/// Limit of the common multiple in positions_of(). A number of planets that would raise the
+/// multiple above this limit is left out.
 constexpr int kMostCommon = 60;
-/// Greatest number of equilibria that are computed for a set with several mesh frequencies. 64
-/// positions of each of two frequencies are below this limit. 64 positions of each of three
-/// frequencies exceed it.
+/// Greatest number of equilibria that are computed for a set with several mesh frequencies. With 64
+/// positions for each frequency, two frequencies are possible, but three are not.
 constexpr double kMostCombinations = 1e5;
 
-// Returns the number of positions over a period. It is a multiple of the numbers of planets. The
-// meshes of planets at equal pitch are then evaluated in the same positions and can share springs.
+// Returns the number of positions over a period. It is a multiple of the numbers of planets, so
+// that the meshes of planets at equal pitch pass the same positions and can share springs.
 int positions_of(const Drive& drive, int least) {
   int common = 1;
   for (const PlanetSet& set : drive.sets) {
@@ -171,8 +170,7 @@ class DriveUnderLoad {
   }
 
  private:
-  // Returns the first mesh of each frequency of a set. Each gear of a stepped planet has its own
-  // frequency.
+  // Returns the first mesh of each frequency. Each gear of a stepped planet has its own frequency.
   std::vector<std::size_t> frequencies(const PlanetSet& set) const {
     std::vector<std::size_t> list;
     for (const std::size_t m : set.group.meshes) {
@@ -312,8 +310,7 @@ class DriveUnderLoad {
     return std::nullopt;
   }
 
-  // Returns the springs of the meshes of a set, with the meshes of each frequency f at the position
-  // at[f].
+  // Returns the springs of the meshes if the meshes of each frequency f are at the position at[f].
   std::vector<std::vector<MeshState>> states_at(const std::vector<std::size_t>& loaded,
                                                 const std::vector<std::size_t>& first,
                                                 const std::vector<std::size_t>& at) const {

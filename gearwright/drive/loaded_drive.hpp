@@ -1,5 +1,5 @@
-// Computes a drive under load: the shares of its planets, K_γ, and the transmission error at the
-// output.
+// Computes the load shares of the planets, the mesh load factor K_γ, and the transmission error at
+// the output of a drive under load.
 //
 //   share   force of one planet divided by the force of all planets of the set
 //   K_γ     N times the greatest share [T13.26]

@@ -40,8 +40,8 @@ std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeomet
 
 // Divides the thinning of each mesh between its two gears. If neither gear has a thinning yet, the
 // division is equal. The mesh with the least thinning comes first. After this mesh, the meshes with
-// a gear that already has a thinning come before all others. If the meshes of a set need similar
-// thinnings, all gears therefore become thinner.
+// a gear that already has a thinning come before all others. In this order, all gears become
+// thinner if the meshes of a set need similar thinnings.
 std::vector<std::optional<double>> divided(const DriveGraph& graph,
                                            std::vector<MeshThinning> open) {
   std::vector<std::optional<double>> of_gear(graph.gears.size());

@@ -14,9 +14,9 @@ Error not_loaded(const std::string& rule, const std::string& mesh) {
 
 std::vector<double> load_levels(int copies) {
   if (copies < 2) return {1.0};
-  // An additional level costs little, because the compliance tables and the gaps take most of the
-  // time. The test LoadedDriveTest.SpringsAgreeWithDirectSolutions measures the errors between the
-  // levels.
+  // An additional load level costs little time, because the compliance tables and the gaps take
+  // most of it. The test LoadedDriveTest.SpringsAgreeWithDirectSolutions measures the errors
+  // between the levels.
   std::vector<double> levels{0.06, 0.15, 0.3, 0.5, 0.75, 1.0, 1.35, 1.8, 2.0};
   if (copies > 2) levels.insert(levels.end(), {2.5, 3.0});
   return levels;

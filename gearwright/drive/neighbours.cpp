@@ -62,7 +62,7 @@ double tip_gap(const Rider& a, const Rider& b, double turned) {
   return between - (a.tip_diameter + b.tip_diameter) / 2;
 }
 
-// The least gap between the tips of riders of different copies.
+// Returns the least gap between the tips of riders of different copies.
 double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>& turned) {
   double least = kInfinity;
   for (std::size_t i = 0; i < turned.size(); ++i)

@@ -37,8 +37,7 @@ struct Phasing {
 /// Formula   γ_i = frac(z u_i); [T13.16]
 std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
 
-/// Computes the remaining fractions of the harmonics 1 to `harmonics`, and the class of the
-/// phasing.
+/// Computes the class of the phasing and the remaining fractions of harmonics 1 to `harmonics`.
 ///
 /// Formula   R_k = |Σ e^{−2πikγ_i}|/N, F_k^± = |Σ e^{−2πikγ_i ± 2πi u_i}|/N; [T13.18], [T13.19]
 /// Domain    one phase for each element of `turns`, at least one (contract)

@@ -55,9 +55,9 @@ class PlanetEquilibrium {
   PlanetEquilibrium(const Drive& drive, const PlanetSet& set, const std::vector<MeshPhase>& phases,
                     const std::vector<double>& nominal, const PlanetErrors& errors);
 
-  /// The meshes of the set that carry load.
+  /// Returns the meshes of the set that carry load.
   const std::vector<std::size_t>& meshes() const { return meshes_; }
-  /// The force of an equal share of the load in each of meshes(), N.
+  /// Returns the force of an equal share of the load in each of meshes(), N.
   const std::vector<double>& nominal() const { return nominal_; }
   /// Computes the equilibrium in one position.
   ///

@@ -14,11 +14,11 @@ namespace {
 
 /// A power below this fraction of the input power is a rounding error.
 constexpr double kIdle = 1e-11;
-/// If at most this number of meshes carry load, all patterns of their signs are tried.
+/// If at most this number of meshes carry load, all patterns of their signs σ are tried.
 constexpr std::size_t kMostSigns = 16;
 
-// Returns the bodies with an unknown external torque: fixed bodies, the output, and all inputs
-// except the first one.
+// Returns the bodies with an unknown external torque, which are the fixed bodies, the output, and
+// all inputs except the first one.
 std::vector<std::size_t> reacting(const DriveGraph& graph) {
   std::vector<std::size_t> list = graph.fixed;
   list.insert(list.end(), graph.inputs.begin() + 1, graph.inputs.end());
@@ -32,8 +32,7 @@ class Statics {
           const std::vector<MeshEfficiency>& efficiencies)
       : graph_(graph), speeds_(speeds), efficiencies_(efficiencies), reacting_(reacting(graph)) {}
 
-  // Computes the flow for given driving gears of all meshes. A mesh whose driver is −1 has no
-  // friction.
+  // Computes the flow for given driving gears. A mesh whose driver is −1 has no friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();

@@ -26,7 +26,7 @@ class Rational {
   Rational(long long whole)
       : p_(whole) {}  // NOLINT(google-explicit-constructor): a whole number is
                       // a fraction
-  /// The fraction p/q.   Domain  q ≠ 0 (contract)
+  /// Returns the fraction p/q.   Domain  q ≠ 0 (contract)
   static Rational of(long long p, long long q);
   static Rational too_large() { return {0, 0}; }  ///< a fraction in the state of overflow
 
@@ -46,7 +46,7 @@ class Rational {
   friend Rational operator+(const Rational& a, const Rational& b);
   friend Rational operator-(const Rational& a, const Rational& b) { return a + -b; }
   friend Rational operator*(const Rational& a, const Rational& b);
-  /// The quotient a/b.   Domain  b ≠ 0 (contract)
+  /// Returns the quotient a/b.   Domain  b ≠ 0 (contract)
   friend Rational operator/(const Rational& a, const Rational& b);
   Rational operator-() const { return {-p_, q_}; }
   /// True if the fractions are equal.   Domain  neither has overflow (contract)

@@ -149,8 +149,7 @@ std::optional<Error> add_planet(PlanetarySpec& spec) {
                   both / 2.0, both / 2, both / 2 + 1, ring - 1, ring + 1));
 }
 
-// Sets the fixed bodies, the inputs and the output of the graph. Values that are not given get
-// defaults.
+// Sets the fixed bodies, inputs and output of the graph. Values that are absent get defaults.
 std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   std::vector<std::string> inputs = spec.inputs;

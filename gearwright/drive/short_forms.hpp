@@ -20,7 +20,7 @@ namespace gearwright {
 enum class SetMember { sun, sun2, idler, planet, planet2, ring, ring2 };
 inline constexpr std::size_t kSetMembers = 7;
 const char* to_string(SetMember member);
-/// The names of all members, in the order of SetMember.
+/// Returns the names of all members, in the order of SetMember.
 std::vector<std::string> set_member_names();
 
 /// One number for all gears of a set, and numbers for single gears. The numbers for single gears
@@ -47,7 +47,7 @@ struct PerMesh {
   std::optional<double> all;
   std::vector<std::pair<std::string, double>> each{};
 
-  /// The names of the meshes of sets. Each name consists of the names of the two members that mesh.
+  /// Returns the names of the meshes of sets, each formed by the names of the two members.
   static std::vector<std::string> names();
   void set(const std::string& mesh, double number) { each.emplace_back(mesh, number); }
   std::optional<double> of(const std::string& mesh) const;
@@ -63,8 +63,8 @@ struct PlanetarySpec {
   PerMember helix_deg;      ///< β; by default computed from β of the sun
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
-  std::string series;       ///< of DIN 3967, for gears without an allowance; if empty, nominal
-                            ///< teeth
+  std::string series;       ///< series of DIN 3967 for gears without an allowance; nominal teeth if
+                            ///< empty
   PerMember tip_diameter;   ///< d_a  mm
   PerMember bore;           ///< mm, diameter of the bore, or outside diameter of the rim of a ring;
                             ///< `all` does not apply to rings
@@ -87,7 +87,6 @@ struct PlanetarySpec {
   }
 };
 
-/// The tooth data of two plain gears.
 struct PairTeeth {
   double normal_module;  ///< m_n  mm
   Angle normal_pressure_angle = Angle::degrees(20);

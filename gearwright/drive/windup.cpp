@@ -84,7 +84,6 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes) {
 
 namespace {
 
-// Sets the frequency and the delays of the copies of the mesh.
 void place_in_time(WindupMesh& mesh, const MeshPhase& phase) {
   if (!phase.first_drives) std::swap(mesh.approach, mesh.recess);
   mesh.frequency = phase.first;

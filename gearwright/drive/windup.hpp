@@ -43,8 +43,7 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes);
 /// meshes, or if a mesh that moves the output is not a pair of involute gears or loses contact.
 std::optional<double> windup_variation(const Drive& drive);
 
-/// The teeth of a drive without geometry: gears without profile shift, with an addendum of one
-/// module.
+/// The teeth of a drive without geometry. They have no profile shift and an addendum of one module.
 struct StandardTeeth {
   Angle normal_pressure_angle = Angle::degrees(20), helix_angle{};
   double face_modules = 10.0;  ///< b/m_n, the default of a drive

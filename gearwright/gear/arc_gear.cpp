@@ -29,8 +29,8 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
   return std::nullopt;
 }
 
-// The diameter at which the two flanks of a tooth meet. None if they do not meet within the range
-// that the last arc of the edge cuts.
+// Returns the diameter at which the two flanks of a tooth meet. Returns none if they do not meet
+// within the range that the last arc of the edge cuts.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
   const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
   GW_EXPECTS(last != nullptr);

@@ -32,7 +32,7 @@ struct BaseGear {
   T helix_angle{};      ///< β_b   rad, signed
 };
 
-/// +1 for an external gear, −1 for an internal gear.
+/// Returns +1 for an external gear and −1 for an internal gear.
 template <class T>
 T side_of(const BaseGear<T>& gear) {
   return side_of<T>(gear.teeth);
@@ -43,7 +43,7 @@ BaseGear<T> base_gear(int teeth, const ReferenceGeometry<T>& g) {
   return {teeth, g.base_diameter / T(2), g.base_tooth_thickness, g.base_helix_angle};
 }
 
-/// p_bn = 2π r_b cos β_b/|z|, mm. [T4.1]
+/// Returns p_bn = 2π r_b cos β_b/|z|, mm. [T4.1]
 template <class T>
 T normal_base_pitch(const BaseGear<T>& gear) {
   using std::atan;
@@ -61,7 +61,7 @@ bool has_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return cos(alpha_n) > abs(sin(gear.helix_angle));
 }
 
-/// The reference data of the gear for a rack with the pressure angle α_n. The profile shift
+/// Returns the reference data of the gear for a rack with the pressure angle α_n. The profile shift
 /// accounts for the whole tooth thickness, so the allowance is 0.
 ///
 /// Formula   m_n = p_bn/(π cos α_n), sin β = sin β_b/cos α_n, x from s_bt; [T4.2], [T4.3]
@@ -101,8 +101,8 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
 //   h_fP*, ρ_fP*, h_Ff*   dedendum, tip rounding and flank depth of the rack, in modules
 //                                              theory: docs/theory/04-conjugate-action.md, 4.2
 
-/// The rack of `spec`, with the dedendum that gives d_f. If d_Ff is given, the tip rounding of the
-/// rack is chosen so that the fillet of the gear ends at d_Ff.
+/// Returns the rack of `spec`, with the dedendum that gives d_f. If d_Ff is given, the tip rounding
+/// of the rack is chosen so that the fillet of the gear ends at d_Ff.
 ///
 /// Formula   h_fP* = x_E ± (d − d_f)/(2 m_n), h_Ff* = x_E − (ρ_F − ρ_C) sin α_t/m_n,
 ///           ρ_fP* = (h_fP* − h_Ff*)/(1 − sin α_n); [T4.4]

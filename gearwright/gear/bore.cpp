@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kDecimals = 3;  // of a printed diameter, mm
 
-// The error of the rim of an internal gear; empty if the rim is valid. The rim diameter must be
-// given, the rim must extend to the radius `room`, mm, and it must not have a keyway.
+// Returns the error of the rim of an internal gear, or none if the rim is valid. The rim diameter
+// must be given, the rim must extend to the radius `room`, mm, and it must not have a keyway.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   const std::string need = fmt::format(
       "the bore of an internal gear is the outside diameter of its rim and must be at least {:.3f} "
@@ -31,8 +31,8 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   return std::nullopt;
 }
 
-// The error if the bore is invalid, or if the bore or its keyway exceeds the radius `room`, mm;
-// empty if the bore is valid.
+// Returns the error if the bore is invalid, or if the bore or its keyway exceeds the radius `room`,
+// mm. Returns none if the bore is valid.
 std::optional<Error> bore_error(const Bore& bore, double room) {
   if (!(bore.diameter > 0.0)) {
     return refused("bore.diameter", bore.diameter,

@@ -20,18 +20,17 @@ struct Bore {
   bool has_keyway() const { return keyway_width > 0.0; }
 };
 
-/// Largest distance from the axis to the edge of the bore, mm. It is the distance to a corner of
-/// the keyway, or the bore radius if there is no keyway.
+/// Returns the largest distance from the axis to the edge of the bore, mm. This is the distance to
+/// a corner of the keyway, or the bore radius if there is no keyway.
 double bore_reach(const Bore& bore);
 
 struct Gear;
 
-/// The bore of the body, or the rim of an internal gear. A rim that is not given is kRim modules
-/// thick outside the root circle. None for an external gear without a bore.
+/// Returns the bore of the body, or the rim of an internal gear. A rim that is not given is kRim
+/// modules thick outside the root circle. Returns none for an external gear without a bore.
 std::optional<Bore> body_bore(const Gear& gear);
 inline constexpr double kRim = 2.5;
 
-/// The outside diameter, mm, of a rim that is not given.
 inline double default_rim(double root_diameter, double normal_module) {
   return root_diameter + 2 * kRim * normal_module;
 }
@@ -47,9 +46,9 @@ struct HoleLimits {
   std::optional<double> groove{};  ///< mm, the radius of the groove of a double-helical gear
 };
 
-/// The error of a bore or rim, empty if there is none. It is an error if less than kLeastWall of
-/// material remains to the roots or to the groove, or if the bore is invalid. For an internal gear,
-/// an absent rim diameter and a keyway are also errors.
+/// Returns the error of a bore or rim, or none if it is valid. It is an error if less than
+/// kLeastWall of material remains to the roots or to the groove, or if the bore itself is invalid.
+/// For an internal gear, an absent rim diameter and a keyway are also errors.
 std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The input of a double-helical gear: two halves of opposite hands on one body.
+// The input of a double-helical gear, which has two halves of opposite hands on one body.
 //
 //   b      whole face width, including the gap, mm     b_B  face width of one half, (b − gap)/2, mm
 //                                              theory: docs/theory/02-involute-and-pair.md, 2.11
@@ -25,12 +25,13 @@ struct DoubleHelical {
 /// End of the message for an absent face width.
 inline constexpr const char* kWholeFace =
     "; for a double-helical gear, the face width includes both halves and the gap";
-/// The error if the gap leaves no face width for the halves. `face` is the whole face width, mm.
+/// Returns the error if the gap leaves no face width for the halves. `face` is the whole face
+/// width, mm.
 ///
 /// Errors    `double_helical.gap`
 std::optional<Error> half_error(const DoubleHelical& given, double face);
-/// The error if two mating gears do not match; empty if they match. Each half of the narrower gear
-/// must lie within the opposite half of the other gear. `faces` are the whole face widths, mm.
+/// Returns the error if two mating gears do not match. Each half of the narrower gear must lie
+/// within the opposite half of the other gear. `faces` are the whole face widths, mm.
 ///
 /// Domain    at least one gear is double-helical (contract)
 /// Errors    `gearN.double_helical` if only the mating gear is double-helical,

@@ -46,13 +46,13 @@ void warn(Gear& gear, WarningCode code, std::string message) {
 
 namespace {
 
-// The profile shift x that the drawing must give, so that this gear has the given x_E with its
-// thickness allowance.
+// Returns the profile shift x that the drawing must give, so that this gear has the given x_E with
+// its thickness allowance.
 double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
-// The end of a sentence about undercut. It gives the cause of the undercut or a remedy.
+// Returns the end of a sentence about undercut. It gives the cause of the undercut or a remedy.
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
@@ -89,9 +89,9 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Adds the warnings of an internal gear without a tooth. Three dimensions of its rack have an
-// effect: the addendum, the dedendum, and the root fillet radius, which is the tip rounding of a
-// default cutter.
+// Adds the warnings of an internal gear without a tooth. The addendum, the dedendum and the root
+// fillet radius of its rack have an effect. The root fillet radius is the tip rounding of a default
+// cutter.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
@@ -109,9 +109,9 @@ void warn_about_ring(Gear& gear) {
   warn_about_tip(gear);
 }
 
-// The greatest profile shift at which the root fillets of a tooth without undercut do not meet. It
-// is found by bisection to 1e-6. None if a straight rack does not cut the tooth, or if no profile
-// shift without undercut leaves a tooth.
+// Returns the greatest profile shift at which the root fillets of a tooth without undercut do not
+// meet. It is found by bisection to 1e-6. Returns none if a straight rack does not cut the tooth,
+// or if no profile shift without undercut leaves a tooth.
 std::optional<double> greatest_shift(const Gear& gear) {
   const StraightRack* const rack = gear.straight_cutter();
   const auto least = gear.undercut_free_shift();
@@ -192,8 +192,8 @@ void warn_about_tooth(Gear& gear) {
 // A tip that projects beyond the involute of its flank.
 //
 // A pinion cutter with undercut or protuberance lacks the part of its flank that would cut the tip
-// of the gear. The remaining material projects beyond the involute and can collide with other
-// mating gears.
+// of the gear. The remaining material projects beyond the involute and can collide with a mating
+// gear.
 //
 //   δ = r_b (θ − θ_i)   distance from the involute along the normal of the involute, mm [T2.35]
 //   θ, θ_i              polar angles of the outline and of the involute at one radius
@@ -217,8 +217,8 @@ double greatest(const Gear& gear, const Arc& arc) {
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
-// The greatest δ on the arcs beyond the flank; none if it is at most 1e-9 modules. The result is
-// accurate to rounding if δ has only one maximum on each arc.
+// Returns the greatest δ on the arcs beyond the flank, or none if it is at most 1e-9 modules. The
+// result is accurate to rounding if δ has only one maximum on each arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
   double most = kNoise * gear.spec.normal_module;
@@ -250,8 +250,8 @@ void find_tip_bulge(Gear& gear) {
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 
-// Normal thickness of the finished tooth at its tip, which is the width of the remaining land; 0 if
-// the tip is pointed or rounded.
+// Returns the normal thickness of the finished tooth at its tip, which is the width of the
+// remaining land. The thickness is 0 if the tip is pointed or rounded.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
   if (!gear.involute()) {

@@ -1,6 +1,5 @@
 // Computes the data of a gear that do not depend on the kind of cutter. Data in closed form are
-// computed before the tooth is cut; tip, root and warnings are determined afterwards. Internal to
-// gear/.
+// computed before the tooth is cut, and tip, root and warnings afterwards. Internal to gear/.
 #pragma once
 
 #include <optional>
@@ -10,8 +9,8 @@
 
 namespace gearwright::detail {
 
-/// Reference geometry, diameters from the rack, lead and pointed diameter: everything except the
-/// tooth.
+/// Returns the gear without its tooth, with reference geometry, diameters from the rack, lead and
+/// pointed diameter.
 Gear described(const CylindricalSpec& spec);
 
 /// Sets root and tip of the tooth as cut, and adds the warnings.
@@ -21,9 +20,9 @@ void warn(Gear& gear, WarningCode code, std::string message);
 
 // A gear with circular-arc (Wildhaber-Novikov) teeth of any kind, cut by a rack of arcs.
 
-/// The normal angle τ at which the envelope of the circle has the cusp nearest to the root. The
-/// cutter undercuts a convex tooth below this angle, and a concave tooth above it. None if there is
-/// no cusp on the quarter circle.
+/// Returns the normal angle τ at which the envelope of the circle has the cusp nearest to the root.
+/// The cutter undercuts a convex tooth below this angle, and a concave tooth above it. Returns none
+/// if there is no cusp on the quarter circle.
 ///
 /// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);

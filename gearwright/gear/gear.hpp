@@ -1,4 +1,5 @@
-// A cylindrical gear: its values on the drawing, the derived values, and the tooth as cut.
+// Describes a cylindrical gear by its values on the drawing, the derived values, and the tooth as
+// cut.
 //
 // The symbols follow ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
 #pragma once
@@ -33,7 +34,7 @@ struct CylindricalSpec {
   std::optional<RootFilletSpec> root_fillet{};  ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet{};    ///< a circular arc instead of the tip as cut
 
-  /// The rack of an involute gear.   Domain: the rack is straight (contract)
+  /// Returns the rack of an involute gear.   Domain  the rack is straight (contract)
   const StraightRack& straight_rack() const;
   StraightRack& straight_rack();
 };
@@ -63,7 +64,8 @@ struct ArcTeeth {
   Angle flank_begin;                          ///< τ at the root end of the flank arc. If there are
                                               ///< several flank arcs, the undercut arc is used, or
                                               ///< the lowest arc if none is undercut
-  std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
+  std::optional<Angle> undercut_limit;        ///< τ of the cusp of the same arc, none without a
+                                              ///< cusp
 };
 
 /// A tip that projects beyond the involute of its flank (gear/finished_gear.hpp).
@@ -99,34 +101,36 @@ struct Gear {
   bool left_flank_works(bool gear2_drives) const { return gear2_drives == (side() > 0.0); }
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
-  /// The straight rack that cuts the teeth; null for circular arcs and for a pinion cutter.
+  /// Returns the straight rack that cuts the teeth, or null for circular arcs and for a pinion
+  /// cutter.
   const StraightRack* straight_cutter() const;
-  /// The rack of circular arcs that cuts the teeth; null for an involute gear.
+  /// Returns the rack of circular arcs that cuts the teeth, or null for an involute gear.
   const RackOfArcs* arc_cutter() const { return arcs() ? &arcs()->rack : nullptr; }
-  /// The least x_E without undercut; none for circular arcs and for a pinion cutter.
+  /// Returns the least x_E without undercut, or none for circular arcs and for a pinion cutter.
   std::optional<double> undercut_free_shift() const;
-  /// The reference geometry.   Domain: an involute gear (contract), also for base_radius()
+  /// Returns the reference geometry.   Domain  an involute gear (contract), also for base_radius()
   const ReferenceGeometry<double>& reference() const;
   double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
-  /// The error of a gear whose teeth do not exist. It names the input that removes the teeth: the
-  /// thickness allowance if the gear without the allowance has teeth, otherwise the profile shift
-  /// or the rack of circular arcs.
+  /// Returns the error of a gear whose teeth do not exist. The error names the thickness allowance
+  /// if the gear has teeth without it. Otherwise, it names the profile shift or the rack of
+  /// circular arcs.
   ///
   /// Domain    !exists() (contract)
   Error why_not() const;
-  /// d_Ff/2, the radius at which the usable flank starts; none without a tooth or a usable flank.
+  /// Returns d_Ff/2, the radius at which the usable flank starts, or none without a tooth or a
+  /// usable flank.
   std::optional<double> root_form_radius() const;
   /// True if the two flanks of a tooth meet before the tip.
   bool pointed() const;
-  /// d_Fa/2, the radius at which the usable flank ends. For an internal gear without a tooth, it is
-  /// the tip radius, or the base radius if the tip lies inside the base circle.
+  /// Returns d_Fa/2, the radius at which the usable flank ends. For an internal gear without a
+  /// tooth, this is the tip radius, or the base radius if the tip lies inside the base circle.
   double tip_form_radius() const;
-  /// The radius at which the finished tooth ends. The blank, the bottom land of the cutter or the
-  /// point of the tooth determines it.
+  /// Returns the radius at which the finished tooth ends. The blank, the bottom land of the cutter
+  /// or the point of the tooth determines it.
   double actual_tip_radius() const;
-  /// The whole face width, mm, of a gear whose teeth are `face` mm wide. For a double-helical gear
-  /// it includes both halves and the gap.
+  /// Returns the whole face width, mm, of a gear whose teeth are `face` mm wide. For a
+  /// double-helical gear it includes both halves and the gap.
   double whole_face(double face) const { return gap ? 2.0 * face + *gap : face; }
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
@@ -134,13 +138,13 @@ struct Gear {
 /// Checks the limits of a spec and returns the error of the first member that is out of bounds, if
 /// any. make_gear() also calls this function.
 std::optional<Error> check_limits(const CylindricalSpec& spec);
-/// Makes the gear: computes the closed-form data and generates the tooth.
+/// Makes the gear from its closed-form data and generates the tooth.
 ///
 /// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …).
 ///           Undercut, pointed and severed teeth are not errors but data and warnings
 Result<Gear> make_gear(const CylindricalSpec& spec);
-/// The message of the warning `undercut`. `remedy` ends it, for example "a profile shift of at
-/// least 0.3044 avoids undercut."
+/// Returns the message of the warning `undercut`. `remedy` ends it, for example "a profile shift of
+/// at least 0.3044 avoids undercut."
 ///
 /// Domain    the gear has a tooth (contract)
 std::string undercut_message(const Gear& gear, std::string_view remedy);

@@ -8,7 +8,7 @@
 
 namespace gearwright::leaf {
 
-/// The lesser value; the second argument if either is NaN, as in vector instructions.
+/// Returns the lesser value, or the second argument if either is NaN, as in vector instructions.
 template <class T>
 T min_of(const T& a, const T& b) {
   return a < b ? a : b;

@@ -204,7 +204,7 @@ void add(Removal& sum, double amount, const Removal& unit) {
   sum.c_zz += amount * unit.c_zz;
 }
 
-// The candidates inside (lo, hi), in ascending order. Candidates that are too close to the
+// Returns the candidates inside (lo, hi), in ascending order. Candidates that are too close to the
 // preceding border or to an end are left out.
 std::vector<double> borders(std::vector<double> candidates, double lo, double hi) {
   const double same = kSameBorder * (hi - lo);
@@ -288,8 +288,8 @@ bool RemovalField::ridge_between(const Piece& a, const Piece& b) const {
          begins(a.end_lo != b.end_lo || a.end_hi != b.end_hi, end_, Modification::end_relief);
 }
 
-// L as a function of y = ρ² − r0². If y ≥ y0 = y_floor_, L = √y. If y < y0, L = √y0 (1 − h) with
-// t = (y0 − y)/y0 and h = t (1 + 7t/4)/(2 (1 + t)^(3/2)). At t = 0, h has the value, slope and
+// Returns L as a function of y = ρ² − r0². If y ≥ y0 = y_floor_, L = √y. If y < y0, L = √y0 (1 − h)
+// with t = (y0 − y)/y0 and h = t (1 + 7t/4)/(2 (1 + t)^(3/2)). At t = 0, h has the value, slope and
 // second derivative of 1 − √(1 − t). For t ≥ 0, h increases everywhere, and for large t it grows
 // like √t.
 RemovalField::Roll RemovalField::roll(double rho) const {
@@ -369,7 +369,8 @@ Removal RemovalField::at(double u, double z, const Piece& piece) const {
   return sum;
 }
 
-// Removal of a wave at x, measured along the profile or the face, and its derivatives. [T14.21]
+// Returns the removal of a wave at x, measured along the profile or the face, and its derivatives.
+// [T14.21]
 RemovalField::WaveJet RemovalField::wave(const FormWave& wave, double x, double middle,
                                          double width) {
   const double rate = 2 * std::numbers::pi * wave.waves / width;

@@ -1,5 +1,5 @@
-// Flank modifications: material removed from a flank, as the numbers of a drawing and as a smooth
-// field over the flank.
+// Describes flank modifications, which remove material from a flank, by the numbers of a drawing
+// and by a smooth field over the flank.
 //
 //   C      amount of one modification, mm         c(u, z)  material removed normal to the flank, mm
 //   ρ, u   radius, mm, and ln ρ                   z, b     height from the middle of the face, mm;
@@ -96,7 +96,6 @@ struct ModificationMember {
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 
-/// All modifications in the order of Modification.
 inline constexpr std::array<ModificationMember, 7> kModifications{{
     {Modification::tip_relief, "tip_relief", &FlankModifications::tip_relief, nullptr},
     {Modification::root_relief, "root_relief", &FlankModifications::root_relief, nullptr},
@@ -119,7 +118,6 @@ struct ModificationAmounts {
   bool operator==(const ModificationAmounts&) const = default;
 };
 
-/// The usable flank to which the modifications apply.
 struct FlankExtent {
   double r0;             ///< mm, base radius of an involute, 0 for other teeth
   double rho_root_form;  ///< d_Ff/2  mm
@@ -157,7 +155,7 @@ class RemovalField {
   /// Domain    arguments that make_removal_field() accepts (contract)
   RemovalField(const FlankModifications& modifications, const FlankExtent& extent);
 
-  /// The material removed at (u, z), by the formulas of `piece`.
+  /// Returns the material removed at (u, z), by the formulas of `piece`.
   ///
   /// Units     u = ln(ρ/mm), z in mm
   /// Domain    any u, z. Every relief of `piece` must have a reach (contract). Inside the base
@@ -168,15 +166,16 @@ class RemovalField {
   Removal at(double u, double z, const Piece& piece) const;
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 
-  /// Derivative of at() with respect to the amount of a modification, in mm removed per mm of the
-  /// amount. It is 0 for a relief without a reach, because such a relief applies in no piece.
+  /// Returns the derivative of at() with respect to the amount of a modification, in mm removed per
+  /// mm of the amount. For a relief without a reach, the derivative is 0, because such a relief
+  /// applies in no piece.
   Removal derivative(Modification of, double u, double z, const Piece& piece) const;
 
   double amount(Modification of) const { return amounts_[of]; }  ///< C  mm
   const ModificationAmounts& amounts() const { return amounts_; }
 
-  /// The piece that contains (u, z). For a point on a border, the result is the piece with the
-  /// greater u or z. For a point outside the flank, it is the nearest piece.
+  /// Returns the piece that contains (u, z). For a point on a border, the result is the piece with
+  /// the greater u or z. For a point outside the flank, it is the nearest piece.
   const Piece& piece_at(double u, double z) const;
   /// Pieces in order of u, and for equal u in order of z.
   const std::vector<Cell>& pieces() const { return cells_; }
@@ -191,7 +190,7 @@ class RemovalField {
   bool ridge_between(const Piece& a, const Piece& b) const;
 
   bool has_topography() const { return topography_ != nullptr; }
-  /// The waves along the profile and along the face.
+  /// Returns the waves along the profile and along the face.
   const std::array<FormWave, 2>& waves() const { return waves_; }
   bool wavy() const { return waves_[0].waves > 0 || waves_[1].waves > 0; }
   /// The removal of one wave at the position x, which is L or z, and its derivatives by x.
@@ -203,9 +202,9 @@ class RemovalField {
   }
   WaveJet helix_wave(double z) const { return wave(waves_[1], z, 0.0, extent_.face_width); }
   double base_radius() const { return extent_.r0; }  ///< r0  mm
-  /// The same field without its waves.
+  /// Returns the same field without its waves.
   RemovalField smooth() const;
-  /// True if nothing is removed: no topography, no wave, and every amount is 0.
+  /// True if nothing is removed, because there is no topography and no wave, and every amount is 0.
   bool none() const;
 
  private:

@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-// The profile shift x with which the gear meshes with the cutter at E without backlash:
+// Returns the profile shift x with which the gear meshes with the cutter at E without backlash.
 // x + x_0 = (inv α_w − inv α_t)(z_0 + z)/(2 tan α_n). [T6.12]
 double shift_at(const Gear& cutter, int teeth, double roll_w) {
   const ReferenceGeometry<double>& g = cutter.reference();
@@ -26,11 +26,11 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
   return sum - g.generating_profile_shift;
 }
 
-// ρ_a0, the tip rounding of the cutter. If the cutter has a circular tip fillet, it is the radius
-// of this fillet. Otherwise, it is the root rounding of the rack that cut the cutter, provided that
-// the tip of the cutter reaches this rounding. It is 0 for sharp tips. It is also 0 for a cutter
-// that was cut by a pinion cutter, because the tip of such a cutter has no rounding of constant
-// radius.
+// Returns ρ_a0, the tip rounding of the cutter. If the cutter has a circular tip fillet, ρ_a0 is
+// the radius of this fillet. Otherwise, ρ_a0 is the root rounding of the rack that cut the cutter,
+// provided that the tip of the cutter reaches this rounding. For sharp tips, ρ_a0 is 0. It is also
+// 0 for a cutter that was cut by a pinion cutter, because the tip of such a cutter has no rounding
+// of constant radius.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();
@@ -132,10 +132,10 @@ bool trims(const std::optional<InfeedCut>& cut, double module) {
   return cut && cut->arc > kTrimmed * module;
 }
 
-// The greatest number of teeth, less than that of `cutter`, with which a similar cutter
+// Returns the greatest number of teeth, less than that of `cutter`, with which a similar cutter
 // generates the whole flank of `ring` without trimming it. A similar cutter has the same rack,
-// profile shift and tip height as `cutter`. None if there is no such number, or if the teeth of
-// `cutter` are not cut by a rack alone.
+// profile shift and tip height as `cutter`. Returns none if there is no such number, or if the
+// teeth of `cutter` are not cut by a rack alone.
 std::optional<int> largest_clear_cutter(const Gear& cutter, const Gear& ring) {
   if (cutter.cut_by || cutter.spec.root_fillet || cutter.spec.tip_fillet) return std::nullopt;
   CylindricalSpec c = cutter.spec;
@@ -199,8 +199,8 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.tip_fillet.reset();
   const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
   // By default, the tip radius of the gear is the radius to which the root of the cutter cuts. It
-  // is computed exactly as in cut_by_pinion(). Otherwise a rounding error could determine whether
-  // the blank or the cutter limits the tip.
+  // is computed exactly as in cut_by_pinion(), so that no rounding error determines whether the
+  // blank or the cutter limits the tip.
   spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);
@@ -229,8 +229,8 @@ struct Cutter {
   double distance;
 };
 
-// A cutter of z_0 teeth with this tip rounding, whose tip reaches the root of the internal gear;
-// none if it cannot be made.
+// Returns a cutter of z_0 teeth with this tip rounding, whose tip reaches the root of the internal
+// gear, or none if it cannot be made.
 std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   CylindricalSpec c;
   c.teeth = z_0;

@@ -1,5 +1,5 @@
-// A gear cut by a pinion cutter. The cutter is a gear that rolls with the workpiece at the
-// generating centre distance.
+// Makes gears that are cut by a pinion cutter. The cutter is a gear that rolls with the workpiece
+// at the generating centre distance.
 //
 //   E    generating centre distance, mm
 //   x    profile shift with which cutter and gear mesh at E without backlash
@@ -20,14 +20,14 @@ struct PinionCutSpec {
                                           ///< allowance
 };
 
-/// The reason why the cutter cannot cut a gear with this number of teeth at any distance; empty
-/// if such a distance exists.
+/// Returns the reason why the cutter cannot cut a gear with this number of teeth at any distance,
+/// or none if such a distance exists.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 
-/// The part of x_E that a thickness allowance E_sn, mm, causes: E_sn/(2 m_n tan α_n).
+/// Returns E_sn/(2 m_n tan α_n), the part of x_E that a thickness allowance E_sn, mm, causes.
 double shift_of_allowance(const Gear& cutter, double allowance);
 
-/// The generating centre distance that gives the gear the profile shift x.
+/// Returns the generating centre distance that gives the gear the profile shift x.
 ///
 /// Errors    `profile_shift` if there is no such distance
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
@@ -43,10 +43,10 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec)
 /// flank.
 struct InfeedCut {
   double arc;  ///< mm, at the tip form circle, from each flank; ≤ 0 if the cutter trims nothing
-  double distance;  ///< e  mm, centre distance at which the cutter removes it
+  double distance;  ///< e  mm, centre distance at which the cutter trims
 };
-/// The trimming in radial infeed, where the rolling cutter approaches the generating distance from
-/// the axis of the gear.
+/// Returns the trimming in radial infeed, where the rolling cutter approaches the generating
+/// distance from the axis of the gear.
 ///
 /// Formula   [T6.18], over all points of the cutter above its root fillet
 /// Domain    both teeth have an outline, the ring is internal (contract)
@@ -62,10 +62,10 @@ std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const Generate
 // gear.
 //                            theory: docs/theory/06-few-teeth.md, 6.5
 
-/// The internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter would
-/// remove part of the flank, a cutter with another tip rounding or number of teeth is used. All
-/// other data of the gear are unchanged. None if no cutter leaves the whole flank up to the
-/// tip.
+/// Returns the internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter
+/// would remove part of the flank, a cutter with another tip rounding or number of teeth is used.
+/// All other data of the gear are unchanged. Returns none if no cutter leaves the whole flank up to
+/// the tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);

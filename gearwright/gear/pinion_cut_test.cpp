@@ -160,7 +160,7 @@ TEST(GeneratingDistance, refuses_a_shift_without_a_working_angle) {
   EXPECT_FALSE(generating_distance(cutter, -60, most + 1e-9));
 }
 
-// The gear meshes with its cutter at E without backlash: the tooth thicknesses on the two pitch
+// The gear meshes with its cutter at E without backlash, so the tooth thicknesses on the two pitch
 // circles add up to one pitch.
 TEST(PinionCut, meshes_with_its_cutter_without_backlash) {
   for (const double beta : {0.0, 30.0}) {

@@ -1,4 +1,4 @@
-// Reference geometry of a cylindrical involute gear, computed in closed form from its drawing
+// Computes the reference geometry of a cylindrical involute gear in closed form from its drawing
 // values.
 //
 //   z         teeth, negative if internal     m_n, m_t   normal and transverse module, mm
@@ -7,8 +7,8 @@
 //   x, x_E    profile shift and generating profile shift, which includes the allowance E_sn
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// The functions are templates over the scalar: double in production, 50 digits in the accuracy
-// ledger.
+// The functions are templates over the scalar, which is double in production and has 50 digits in
+// the accuracy ledger.
 #pragma once
 
 #include <cmath>
@@ -45,7 +45,7 @@ struct ReferenceGeometry {
   T base_pitch_transverse;  ///< p_bt  mm
 };
 
-/// The reference geometry of a gear.
+/// Returns the reference geometry of a gear.
 ///
 /// Formula   ISO 21771-1, clauses 5 and 6; [T2.5]…[T2.10]
 /// Units     mm, rad
@@ -86,8 +86,8 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
   return g;
 }
 
-/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the
-/// tooth.
+/// Returns the transverse tooth thickness (arc) at the diameter d_y, mm. It is negative beyond the
+/// diameter at which the flanks meet.
 ///
 /// Formula   s_yt = d_y (s_bt/d_b ∓ inv α_y), with minus for an external gear; [T2.11]
 /// Domain    d_y ≥ d_b (contract)
@@ -100,7 +100,7 @@ T tooth_thickness_transverse(int teeth, const T& base_diameter, const T& base_to
   return leaf::transverse_thickness(side_of<T>(teeth), half, xi, d_y);
 }
 
-/// cos β_y on the cylinder with the diameter d_y:  tan β_y = d_y tan β_b/d_b. [T2.12]
+/// Returns cos β_y on the cylinder with the diameter d_y, where tan β_y = d_y tan β_b/d_b. [T2.12]
 template <class T>
 T cos_helix_at(const T& base_diameter, const T& base_helix_angle, const T& d_y) {
   using std::tan;

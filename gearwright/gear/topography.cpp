@@ -9,9 +9,9 @@ namespace gearwright {
 
 namespace {
 
-// Slopes of the not-a-knot cubic spline at its points. The second derivative is continuous at every
-// inner point. The third derivative is continuous at the first and at the last inner point. The
-// elimination requires no pivoting, because all pivots are > 0.
+// Returns the slopes of the not-a-knot cubic spline at its points. The second derivative is
+// continuous at every inner point. The third derivative is continuous at the first and at the last
+// inner point. The elimination requires no pivoting, because all pivots are > 0.
 std::vector<double> spline_slopes(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
   std::vector<double> h(n - 1), s(n - 1);  // steps, and slopes of the chords

@@ -1,5 +1,5 @@
-// The topography of a flank: material removed at the points of a grid, and the smooth surface
-// through these points.
+// Describes the topography of a flank by the material removed at the points of a grid, and by the
+// smooth surface through these points.
 //
 //   d, z   diameter and height from the middle of the face, mm         s(d, z)   removed, mm
 //
@@ -37,8 +37,8 @@ class TopographySpline {
     /// second derivatives.
     double s, d, z, dd, dz, zz;
   };
-  /// The surface at a point. Beyond the grid, the outermost cubic is continued. The function does
-  /// not allocate memory.
+  /// Returns the surface at a point. Beyond the grid, the outermost cubic is continued. The
+  /// function does not allocate memory.
   Value at(double diameter, double height) const;
 
  private:

@@ -1,4 +1,4 @@
-// Facts about gears and pairs that are not errors, and what they mean for the user.
+// Defines warnings, which are facts about gears and pairs that are not errors.
 //
 // Every warning, finding of a verdict and entry of `interference` has a code. One table
 // (warning.cpp) has a row for each code, with its name in results, its severity and its sentences.

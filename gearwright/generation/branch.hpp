@@ -1,8 +1,8 @@
 // Computes the tooth that is bounded by the branches of an envelope.
 //
 // Internal to generation/. The height of a point is its radius on an external tooth, and minus its
-// radius on the tooth of an internal gear, so on both it increases from root to tip. It also
-// increases along every branch. The tooth is the lower envelope of the half angles of the branches,
+// radius on the tooth of an internal gear. On both, the height increases from root to tip and along
+// every branch. The tooth is the lower envelope of the half angles of the branches,
 // |θ| < min θ(height).
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
@@ -48,7 +48,7 @@ struct ToothEnds {
                            ///< the cutter has no bottom
   bool rack = true;        ///< true if the cutter is a rack
   bool turns_back = false;  ///< true if the cutter may also cut behind the tooth
-  /// Returns all branches, ahead of and behind the tooth. Empty for a rack.
+  /// Returns all branches, ahead of and behind the tooth. The function is not set for a rack.
   std::function<std::vector<Branch>()> all = {};
 };
 

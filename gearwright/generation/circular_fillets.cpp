@@ -66,7 +66,8 @@ std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius) {
 
 namespace {
 
-// Roll angle at which the flanks of the tooth meet; 0 if they meet on or inside the base circle.
+// Returns the roll angle at which the flanks of the tooth meet, or 0 if they meet on or inside the
+// base circle.
 double roll_of_point(const Involute& flank) {
   const double psi_b = flank.base_half_angle();
   return psi_b > 0.0 ? std::tan(inverse_involute(psi_b)) : 0.0;
@@ -204,8 +205,8 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
     if (arc.cuts != ArcName::flank || !line) continue;
     const double x = line->begin_height + motion.shift;
     const double roll = rack_involute_roll(motion, *line, x);
-    // The step in x is one pitch radius. A smaller step would only increase the rounding error,
-    // because ξ is linear in x.
+    // The step in x is one pitch radius. A smaller step would increase the rounding error without
+    // any gain, because ξ is linear in x.
     const double one = motion.pitch_radius;
     const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
     const double cos_tau = std::cos(line->tau.rad());

@@ -91,7 +91,7 @@ struct CircularFillet {
   FilletArc arc;
 };
 
-/// The rounding of a tip corner, tangent to the flank and to the tip circle.
+/// Returns the rounding of a tip corner, tangent to the flank and to the tip circle.
 ///
 /// Formula   r_b ξ_J = ρ_a + √((r_a − ρ_a)² − r_b²), D = r_a − ρ_a, γ = δ + acos(r_b/D),
 ///           σ = π/2 − acos(r_b/D); [T6.17]

@@ -119,7 +119,7 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // Only one side of the cusp is kept: the side ξ < 0 on an external gear, and the side ξ > 0 on
+    // One side of the cusp is kept. It is the side ξ < 0 on an external gear, and the side ξ > 0 on
     // an internal gear.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);

@@ -226,8 +226,8 @@ TEST(CutByPinion, scales) {
 }
 
 // An undercut cutter has a convex corner between flank and fillet. This corner cuts a tip fillet on
-// the gear, which is the path of a point. When a point of this fillet is cut, it coincides with the
-// corner, so both have the same distance from the axis of the cutter.
+// the gear. When a point of this fillet is cut, it coincides with the corner, so both have the same
+// distance from the axis of the cutter.
 TEST(CutByPinion, corner_of_an_undercut_cutter) {
   StraightRack sharp;
   sharp.root_fillet_radius = 0.0;

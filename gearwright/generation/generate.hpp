@@ -38,8 +38,8 @@ struct GeneratedTooth {
   std::optional<FilletArc> root_fillet, tip_fillet;  ///< circular fillets, if requested
 };
 
-/// Returns the radius, mm, at which the bottom land of the rack ends the tooth; infinite if the
-/// rack has no bottom land.
+/// Returns the radius, mm, at which the bottom land of the rack ends the tooth. It is infinite if
+/// the rack has no bottom land.
 double left_by_land(const CutterEdge& edge, const RackMotion& motion);
 
 /// Cuts a tooth with a rack and replaces root and tip by circular fillets if requested.

@@ -1,4 +1,4 @@
-// The transverse outline of half a tooth. It consists of named arcs from the middle of the space to
+// Describes the transverse outline of half a tooth by named arcs from the middle of the space to
 // the middle of the tooth. The centre line of the tooth is the x axis, and the half tooth lies on
 // the side y > 0.
 //
@@ -22,7 +22,7 @@ struct Arc {
   Vec2 begin_point;  ///< equals the end_point of the previous arc to the last bit
   Vec2 end_point;
 
-  /// The point at u, where u increases from 0 at begin_point to 1 at end_point.
+  /// Returns the point at u, where u increases from 0 at begin_point to 1 at end_point.
   Vec2 point(double u) const;
   CurvePoint at(double u) const;
 };

@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// Returns the roots between a and b of each of several functions, which are computed together. For
+// Returns, for each of several functions that are computed together, the roots between a and b. For
 // the curves of a tooth, the cells are so narrow that each contains at most one root.
 template <std::size_t n, class F>
 std::array<std::vector<double>, n> sign_changes(const F& f, double a, double b) {
@@ -89,8 +89,7 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
   // At the limit of reach, s equals r_p within rounding, and the square root would lose half of the
-  // digits. w is therefore set to 0, so that the paths ahead of and behind the tooth end in the
-  // same point.
+  // digits. If w is set to 0, the paths ahead of and behind the tooth end in the same point.
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.curvature = walk_ * p.curvature;

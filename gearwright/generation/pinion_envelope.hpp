@@ -1,5 +1,4 @@
-// Computes the envelope of a pinion cutter's outline in the transverse section of the generated
-// gear.
+// Computes the envelope of a pinion cutter's outline in the transverse section of the gear.
 //
 //   r_p, r_g  radii of the two centrodes, mm; r_g < 0 if internal    m = z_0/z, < 0 if internal
 //   s, q      coordinates of a point of the cutter along its tangent and its outward normal ν, mm
@@ -46,8 +45,8 @@ class CornerFan final : public Curve {
   Vec2 point_;
 };
 
-/// The direction in which the parameter of a cutter's curve grows: from root to tip of the cutter
-/// if `forward`.
+/// The direction in which the parameter of a cutter's curve grows. It is `forward` from root to tip
+/// of the cutter.
 enum class Walk { forward, backward };
 
 /// The normal at a point of the cutter meets the centrode of the cutter twice, so the point cuts in

@@ -19,7 +19,7 @@ Vec2 point_of(const RackCut<double>& cut, double r) {
   return {u * cos_phi - cut.k * sin_phi, u * sin_phi + cut.k * cos_phi};
 }
 
-// The coefficients of F as a polynomial in s = sin τ. [T3.9]
+// Returns the coefficients of F as a polynomial in s = sin τ. [T3.9]
 std::array<double, 5> cusp_coefficients(const RackMotion& motion, const EdgeCircle& circle) {
   const double cos2 = motion.cos_beta * motion.cos_beta;
   const double sin2 = 1.0 - cos2;

@@ -10,8 +10,7 @@
 //
 //   W = (r + x + ik) e^{iφ},   tangent e^{i(φ − τ_t)},   tan τ_t = tan τ / cos β
 //
-// A straight piece of the edge cuts an involute (closed form). A circle or a corner cuts a
-// trochoid.
+// A straight piece of the edge cuts an involute, and a circle or a corner cuts a trochoid.
 #pragma once
 
 #include <cmath>
@@ -44,7 +43,7 @@ struct RackCut {
   T x, k, phi;
 };
 
-/// The cut at the normal angle with the sine s and the cosine c. [T3.7]
+/// Returns the cut at the normal angle with the sine s and the cosine c. [T3.7]
 template <class T>
 RackCut<T> rack_cut(const RackCircle<T>& e, const T& s, const T& c) {
   const T x = e.center.x + e.q * s;
@@ -79,8 +78,7 @@ CurveJet<T> trochoid_jet(const RackCircle<T>& e, const T& tau) {
   return {T(1), f, (y / e.cos_beta - k) / e.r, {a.x, a.y + phi1}, {b.x - aa.x, b.y - aa.y + phi2}};
 }
 
-/// The envelope of a circular piece of the edge; the parameter is the normal angle τ of the normal
-/// section.
+/// The envelope of a circular piece of the edge, with the normal angle τ as parameter.
 ///
 /// The values and the derivatives have separate formulas. point(), polar_angle() and at() are made
 /// from rack_cut(). The first derivative of polar_jet() suffers from cancellation near a cusp, so a
@@ -97,10 +95,9 @@ class RackTrochoid final : public Curve {
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
-  /// The point W and its first two derivatives with respect to τ, in polar form. [T8.6]
+  /// Returns the point W and its first two derivatives with respect to τ, in polar form. [T8.6]
   PolarJet polar_jet(double tau) const;
-  /// ln |W| and its derivative with respect to τ. A search for a radius needs only this part of
-  /// polar_jet().
+  /// ln |W| and its derivative with respect to τ, the part of polar_jet() for finding a radius.
   struct LogRadius {
     double u, slope;
   };
@@ -108,7 +105,7 @@ class RackTrochoid final : public Curve {
   const RackMotion& motion() const { return motion_; }
   const EdgeCircle& circle() const { return circle_; }  ///< the height of its centre includes e
 
-  /// The coefficients of F as a polynomial in sin τ, lowest power first. [T3.9]
+  /// Returns the coefficients of F as a polynomial in sin τ, lowest power first. [T3.9]
   std::vector<double> cusp_polynomial() const;
   /// Returns the normal angles of the necks. At a neck, the half angle of the tooth is stationary.
   /// [T3.10]
@@ -132,12 +129,11 @@ inline PolarJet RackTrochoid::polar_jet(double tau) const {
   return polar(trochoid_jet(numbers(), tau));
 }
 
-/// The involute that a straight piece cuts. [T3.8]
+/// Returns the involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
-/// The point of the line at the height x cuts one point of the involute. This function returns the
-/// roll angle ξ of that involute point. The height x is measured from the pitch circle, so it
-/// includes e.
+/// Returns the roll angle ξ of the involute point that is cut by the point of the line at the
+/// height x. The height is measured from the pitch circle, so it includes e.
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x);
 
 }  // namespace gearwright

@@ -18,8 +18,8 @@ Gear gear_of(int teeth, double beta_deg, double x, double tip = 0.0) {
   return testing::taken(make_gear(s));
 }
 
-// d_Nf from the tip of the mating gear: √((2 a sin α_wt − √(d_Fa2² − d_b2²))² + d_b1²); for a ring,
-// the difference becomes the sum 2 a sin α_wt + √(d_Fa1² − d_b1²).
+// d_Nf from the tip of the mating gear is √((2 a sin α_wt − √(d_Fa2² − d_b2²))² + d_b1²). For a
+// ring, the difference becomes the sum 2 a sin α_wt + √(d_Fa1² − d_b1²).
 double by_hand(double base, double mate_base, double mate_tip, double twice_a_sin, double sigma) {
   const double mate = std::sqrt(mate_tip * mate_tip - mate_base * mate_base);
   return std::hypot(base, sigma * (twice_a_sin - mate));

@@ -25,8 +25,8 @@ struct Base {
   double eta;    // η_b; negative if there is no space on the base cylinder
 };
 
-// The base cylinder of a gear whose teeth have this transverse thickness on the base cylinder,
-// mm. [T10.5]
+// Returns the base cylinder of a gear whose teeth have this transverse thickness on the base
+// cylinder, mm. [T10.5]
 Base base_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), gear.side(),
@@ -34,15 +34,15 @@ Base base_of(const Gear& gear, double base_thickness) {
 }
 Base base_of(const Gear& gear) { return base_of(gear, gear.reference().base_tooth_thickness); }
 
-// inv α_Kt. [T10.6]
+// Returns inv α_Kt. [T10.6]
 double center_involute(const Base& b, double ball) {
   return b.sigma * (ball / (b.d_b * b.cos_b) - b.eta);
 }
 
 Error no_ball(double ball, const std::string& why) { return refused("ball_diameter", ball, why); }
 
-// The ball in the position in which it touches both flanks. Root and tips are not considered. None
-// if no position of the ball touches both flanks.
+// Returns the ball in the position in which it touches both flanks. Root and tips are not
+// considered. Returns none if no position of the ball touches both flanks.
 std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, double ball) {
   const Base b = base_of(gear);
   const double inv = center_involute(b, ball);
@@ -73,8 +73,8 @@ bool projects(const Gear& gear, const UsableFlank& flank, const BallSeat& seat) 
   return gear.side() * (seat.radial - flank.tip / 2) > 0.0;
 }
 
-// The end of a message about a ball. It gives the range of ball diameters that fit. Such a ball
-// touches on the usable flank, does not touch the root, and projects beyond the tip.
+// Returns the end of a message about a ball. It gives the range of ball diameters that fit. Such a
+// ball touches on the usable flank, does not touch the root, and projects beyond the tip.
 std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto low = ball_touching_at(gear, flank.root_end);
   const auto high = ball_touching_at(gear, flank.tip_end);
@@ -89,8 +89,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   if (inside == tried.end())
     return "a ball that touches on the usable flank cannot be measured, because it touches the "
            "root or does not project beyond the tip";
-  // The ball that touches at the end of the flank or, if it does not fit, the ball nearest in
-  // size that fits.
+  // Returns the ball that touches at the end of the flank. If this ball does not fit, returns the
+  // ball of the nearest size that fits.
   const auto nearest = [&](double outside) {
     if (fits(outside)) return outside;
     double fitting = *inside;
@@ -169,8 +169,7 @@ Across least_across(double delta, double T) {
     const auto f = [&](double e) {
       return Slope<double>{e - T * std::sin(e) - delta, 1.0 - T * std::cos(e)};
     };
-    // If T > 1, e − T sin e has a minimum between 0 and π, and the root lies above this
-    // minimum.
+    // If T > 1, e − T sin e has a minimum between 0 and π, and the root lies above it.
     const double lo = T > 1.0 ? std::acos(1.0 / T) : 0.0;
     const double start = std::clamp(delta + T * std::sin(delta), lo, pi);
     const auto root = newton_in_bracket<double>(f, lo, pi, start, true);
@@ -244,7 +243,7 @@ double nearest_inch(double mm) {
   return std::max(step, std::round(in / step) * step);
 }
 
-// The standard size nearest to `mm` that can be measured; if there is none, the nearest size.
+// Returns the nearest standard size that can be measured or, if there is none, the nearest size.
 double nearest_metric(const Gear& gear, double mm) {
   const auto usable = [&](double size) {
     const auto seat = ball_in_space(gear, size);

@@ -1,5 +1,5 @@
-// Balls and pins in the tooth spaces of a gear: their contacts, and the dimensions over or between
-// balls and pins.
+// Computes the contacts of balls and pins in the tooth spaces of a gear, and the dimensions over or
+// between balls and pins.
 //
 //   D_M    diameter of ball or pin, mm
 //   α_Kt   transverse pressure angle at the centre of the ball, rad
@@ -37,18 +37,18 @@ struct BallSeat {
   bool usable() const { return place == ContactPlace::usable; }
 };
 
-/// The dimensions over pins; for an internal gear, the dimensions between pins.
+/// The dimensions over pins or, for an internal gear, between pins.
 struct PinReading {
   std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt, on a face
                                      ///< of any width
-  std::optional<double> three;       ///< mm, between parallel anvils over two pins, or over three
-                                     ///< pins of a helical gear
+  std::optional<double> three;       ///< mm, dimension between parallel anvils over two pins, or
+                                     ///< over three pins of a helical gear
   std::optional<double> three_pins;  ///< M_d3R mm, with one anvil on two neighbouring pins
   std::optional<double> two_free_face;  ///< mm, least face width that includes all contacts of two
                                         ///< pins that can tilt
 };
 
-/// The ball or pin in a space of the gear, if it touches both flanks and can be measured.
+/// Returns the ball or pin in a space of the gear, if it touches both flanks and can be measured.
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
 /// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
@@ -56,27 +56,26 @@ struct PinReading {
 ///           root or does not project beyond the tips. The message gives the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
-/// The dimension over two opposite balls in one transverse plane; for an internal gear, the
-/// dimension between the balls. [T10.8]
+/// Returns the dimension over two opposite balls in one transverse plane or, for an internal gear,
+/// between these balls. [T10.8]
 ///
 /// Domain    |z| ≥ 2 (contract)
 double over_two_balls(const Gear& gear, const BallSeat& seat);
-/// The dimensions over pins; none for an internal helical gear, in which a straight pin does not
-/// fit.
+/// Returns the dimensions over pins, or none for an internal helical gear, in which a straight pin
+/// does not fit.
 ///
 /// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9], face [T10.35]; parallel anvils: d_K ±
 ///           D_M [T10.10]; three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
 /// Domain    |z| ≥ 2 (contract)
 PinReading over_pins(const Gear& gear, const BallSeat& seat);
 
-/// The diameter of the ball whose contacts are at `contact_diameter`, mm.
+/// Returns the diameter of the ball whose contacts are at `contact_diameter`, mm.
 ///
 /// Formula   α_Kt + tan² β_b tan α_Kt = ξ_M/cos² β_b + σ η_b; [T10.11]
 /// Domain    contact_diameter ≥ d_b (contract)
 /// None      if the flanks of a space meet before this diameter
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
-/// The transverse base tooth thickness, mm, computed from the dimension M_d over two balls.
-/// [T10.12]
+/// Returns the transverse base tooth thickness, mm, for the dimension M_d over two balls. [T10.12]
 ///
 /// None      if the balls would lie inside the base cylinder
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
@@ -88,7 +87,7 @@ struct BallSizes {
                   ///< nearest size
   double inch;    ///< inch, a ball size in steps of 1/64, 1/32 or 1/16 inch
 };
-/// The ball sizes of a gear; none if no ball can be measured.
+/// Returns the ball sizes of a gear, or none if no ball can be measured.
 std::optional<BallSizes> ball_sizes(const Gear& gear);
 
 }  // namespace gearwright

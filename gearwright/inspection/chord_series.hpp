@@ -1,5 +1,5 @@
-// Approximations of the shortest chord: its power series, and a virtual spur gear whose chord is
-// nearly the same. Elsewhere the program uses the exact chord of chordal_thickness.hpp.
+// Approximates the shortest chord by its power series, and by the chord of a virtual spur gear. The
+// rest of the program uses the exact chord of chordal_thickness.hpp.
 //
 //   θ_t, ψ, r   half angle s_t/d, helix angle and radius at the diameter of the chord
 //   s_n         normal tooth thickness at this diameter, 2 r θ_t cos ψ, mm
@@ -9,8 +9,8 @@
 //
 // The variable of the series is θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. With
 // three corrections, the relative error of the chord at 35° is 1e-9 for θ_t = 0.2 and 3e-7 for 0.4.
-// The error is small for the threads of a worm, because their helix angle is great. The functions
-// are templates over the scalar.
+// For the threads of a worm, whose helix angle is great, the error is small. The functions are
+// templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct ApproximateChord {
   T height;      ///< Δh*  mm
 };
 
-/// θ*, k* and Δh* by their series, each with 0 to 3 corrections after the first term.
+/// Returns θ*, k* and Δh* by their series, each with 0 to 3 corrections after the first term.
 ///
 /// Formula   [T5.8], [T5.9], [T5.10]
 /// Units     mm, rad
@@ -71,7 +71,7 @@ template <class T>
 struct VirtualSpur {
   T half_angle;
   T radius;  ///< mm
-  /// The chord of the virtual spur gear, in closed form. [T5.13]
+  /// Returns the chord of the virtual spur gear, in closed form. [T5.13]
   ApproximateChord<T> chord() const {
     using std::sin;
     const T half_sine = sin(half_angle / T(2));
@@ -79,7 +79,8 @@ struct VirtualSpur {
   }
 };
 
-/// The virtual spur gear with z/cos³ ψ teeth, the half angle u and the radius r/cos² ψ. [T5.12]
+/// Returns the virtual spur gear with z/cos³ ψ teeth, the half angle u and the radius r/cos² ψ.
+/// [T5.12]
 template <class T>
 VirtualSpur<T> virtual_spur(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;
@@ -87,8 +88,8 @@ VirtualSpur<T> virtual_spur(const T& theta_t, const T& psi, const T& radius) {
   return {theta_t * c * c * c, radius / (c * c)};
 }
 
-/// The virtual spur gear with z/(cos ψ cos² β_b) teeth. Strength calculations use this gear, but
-/// its chord is not a suitable approximation. [T5.14]
+/// Returns the virtual spur gear with z/(cos ψ cos² β_b) teeth. Strength calculations use this
+/// gear, but its chord is not a suitable approximation. [T5.14]
 template <class T>
 VirtualSpur<T> virtual_spur_on_base_helix(const T& theta_t, const T& psi, const T& base_helix,
                                           const T& radius) {
@@ -97,7 +98,7 @@ VirtualSpur<T> virtual_spur_on_base_helix(const T& theta_t, const T& psi, const 
   return {theta_t * cos(psi) * b * b, radius / (b * b)};
 }
 
-/// The error of the chord of virtual_spur, k* − k, to leading order, mm. [T5.15]
+/// Returns the error of the chord of virtual_spur, k* − k, to leading order, mm. [T5.15]
 template <class T>
 T virtual_spur_chord_error(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;
@@ -109,7 +110,7 @@ T virtual_spur_chord_error(const T& theta_t, const T& psi, const T& radius) {
   return -(s * s) / (c * c) * u * u * u * u / T(5) * T(2) * radius * theta_t * c;
 }
 
-/// The error of the height of virtual_spur, Δh* − Δh, to leading order, mm. [T5.16]
+/// Returns the error of the height of virtual_spur, Δh* − Δh, to leading order, mm. [T5.16]
 template <class T>
 T virtual_spur_height_error(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;

@@ -1,4 +1,4 @@
-// Chordal tooth thickness: the reading of a calliper over one tooth.
+// Computes the chordal tooth thickness, which is the reading of a calliper over one tooth.
 //
 //   d, r     diameter and radius at which the jaws touch, mm      r_a  tip radius, mm
 //   θ_t      half angle of the tooth at d, s_t/d, rad             ψ    helix angle at d, rad
@@ -43,12 +43,12 @@ struct ChordalThickness {
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad. For every greater θ_t and every T up to 1e33 (tan² of the double next to
-/// π/2), θ* is a normal floating-point number. The θ_t of a real tooth is much greater, and so
-/// is a θ_t of about 1e-17 that is only a rounding error.
+/// Least θ_t, rad. For every greater θ_t and every T up to 1e33 (tan² of the double next to π/2),
+/// θ* is a normal floating-point number. Real teeth have a much greater θ_t. Even a θ_t that is
+/// only a rounding error, about 1e-17, is much greater.
 inline constexpr double kMinHalfAngle = 1e-100;
 
-/// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
+/// Returns the half angle θ* of the shortest chord, which is the root of T sin 2θ + 2θ = 2θ_t.
 ///
 /// For θ_t ≤ π/2 there is only one root in [0, θ_t], and it gives the least of all chords. A tooth
 /// that covers more than half the circumference may have several roots. The result is then the root
@@ -115,14 +115,14 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
   return c;
 }
 
-/// The tooth of a gear on the cylinder with the diameter d_y.
+/// Returns the tooth of a gear on the cylinder with the diameter d_y.
 ///
 /// Formula   θ_t = s_yt/d_y, tan ψ = (d_y/d_b) tan β_b; [T2.11], [T2.12]
 /// Domain    d_y ≥ d_b (contract); θ_t ≤ 0 beyond the diameter at which the flanks meet
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
-/// The shortest chord over a tooth of a gear, which may be internal. The tooth thickness includes
-/// the thickness allowance. The usable flank extends from d_Ff to d_Fa, or for an internal gear
-/// from d_Fa to the root. It never extends inside the base circle.
+/// Returns the shortest chord over a tooth of a gear, which may be internal. The tooth thickness
+/// includes the thickness allowance. The usable flank extends from d_Ff to d_Fa, or for an internal
+/// gear from d_Fa to the root. It never extends inside the base circle.
 ///
 /// Errors    `chord_diameter` if the diameter is not on the usable flank, if the flanks meet before
 ///           this diameter, if no calliper can span the tooth, or if the gear has no flank

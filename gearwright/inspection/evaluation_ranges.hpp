@@ -1,5 +1,4 @@
-// Positions on a flank for measuring machines: roll lengths, and the evaluation ranges of
-// tolerances.
+// Computes roll lengths and evaluation ranges of a flank for measuring machines.
 //
 //   L_y, ξ_y   roll length, mm, and roll angle, rad, of the involute at d_y
 //   L_α, L_β   evaluation ranges of profile and helix, mm
@@ -40,21 +39,21 @@ struct UsableFlank {
   ContactPlace place(double diameter) const;
 };
 
-/// The usable flank of a gear; none if no flank is left or the teeth are not involutes.
+/// Returns the usable flank of a gear, or none if no flank is left or the teeth are not involutes.
 std::optional<UsableFlank> usable_flank(const Gear& gear);
-/// The usable flank, for a measuring tool whose input `field` has the value `value`.
+/// Returns the usable flank, for a measuring tool whose input `field` has the value `value`.
 ///
 /// Errors    `field` if the teeth are not involutes or no flank is left
 Result<UsableFlank> measurable_flank(const Gear& gear, const char* field, double value);
 /// True if plane anvils and straight pins fit into the tooth spaces. They do not fit into the
 /// spaces of an internal helical gear.
 bool straight_tools_fit(const Gear& gear);
-/// The diameter d_V of the V circle.
+/// Returns the diameter d_V of the V circle.
 ///
 /// Formula   d_V = d ± 2 x m_n, with d > 0 and with minus for an internal gear; [T10.1]
 double v_circle_diameter(const Gear& gear);
-/// The contact diameter of tools of the usual size. It is d_V, or the middle of the usable flank if
-/// d_V lies outside this flank.
+/// Returns the contact diameter of tools of the usual size. It is d_V, or the middle of the usable
+/// flank if d_V lies outside this flank.
 double usual_contact_diameter(const Gear& gear, const UsableFlank& flank);
 
 struct InvolutePair;  // pair/involute_pair.hpp
@@ -77,19 +76,19 @@ struct EvaluationRanges {
   std::optional<ActiveFlank> active{};  ///< present if the gear is mounted and touches its mating
                                         ///< gear
 };
-/// The roll length and the roll angle of the involute at the diameter d_y.
+/// Returns the roll length and the roll angle of the involute at the diameter d_y.
 ///
 /// Formula   [T10.22]
 /// Domain    d_y ≥ d_b (contract)
 RollPlace roll_place(const Gear& gear, double diameter);
-/// The evaluation ranges of ISO 1328-1. The range of the profile is the usable profile without 5 %
-/// of its length at the tip. The range of the helix is the face without 5 % of its width at each
-/// end, or without one module at each end if that is less. [T10.23]
+/// Returns the evaluation ranges of ISO 1328-1. The range of the profile is the usable profile
+/// without 5 % of its length at the tip. The range of the helix is the face without 5 % of its
+/// width at each end, or without one module at each end if that is less. [T10.23]
 ///
 /// None      if there is no usable flank
 std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear);
-/// The ends of contact on the flank of gear `which` (1 or 2). The path of contact is clipped to
-/// both usable flanks and, on crossed axes, to the faces.
+/// Returns the ends of contact on the flank of gear `which` (1 or 2). The path of contact is
+/// clipped to both usable flanks and, on crossed axes, to the faces.
 ///
 /// Formula   L_N1 = ρ_1, L_N2 = ρ_2 at the two ends; [T10.28]
 /// None      if the gears do not touch

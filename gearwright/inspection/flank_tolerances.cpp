@@ -31,8 +31,8 @@ constexpr std::array kFaces{4., 10., 20., 40., 80., 160., 250., 400., 650., 1000
 constexpr std::array kRadialDiameters{5., 20., 50., 125., 280., 560., 1000.};
 constexpr std::array kRadialModules{0.2, 0.5, 0.8, 1.0, 1.5, 2.5, 4.0, 6.0, 10.0};
 
-// Geometric mean of the range that contains the value, or of the outermost range if the value lies
-// beyond the ends.
+// Returns the geometric mean of the range that contains the value, or of the nearest range if no
+// range contains the value.
 double mean_of_range(std::span<const double> borders, double value) {
   std::size_t i = 1;
   while (i + 1 < borders.size() && value > borders[i]) ++i;
@@ -53,7 +53,7 @@ void add_radial(FlankToleranceValues& t, int quality, const ToleranceSubject& ge
 
 constexpr int kSectors = 8;
 
-// The factor K of f_i′. [T10.32]
+// Returns the factor K of f_i′. [T10.32]
 double overlap_factor(double contact_ratio) {
   return contact_ratio < 4.0 ? 0.2 * (contact_ratio + 4.0) / contact_ratio : 0.4;
 }
@@ -75,7 +75,7 @@ void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubje
   t.single_flank = rounded_tolerance(f * (F_p + tooth));
 }
 
-// The tolerances by the formulas of 2013. [T10.15]…[T10.17], [T10.37]
+// Returns the tolerances by the formulas of 2013. [T10.15]…[T10.17], [T10.37]
 FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double d = gear.reference_diameter, m = gear.normal_module, b = gear.face_width;
   const double f = step_factor(quality);
@@ -105,7 +105,7 @@ FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   return t;
 }
 
-// The tolerances by the formulas of 1995, which use the geometric means of ranges. [T10.18]
+// Returns the tolerances by the formulas of 1995, which use the geometric means of ranges. [T10.18]
 FlankToleranceValues of_1995(int quality, const ToleranceSubject& gear) {
   const double d = mean_of_range(kDiameters, gear.reference_diameter);
   const double m = mean_of_range(kModules, gear.normal_module);

@@ -7,9 +7,9 @@
 // Tolerances are in µm. The formulas give the tolerances of class 5. From one class to the next,
 // the tolerances increase by the factor √2. The formulas of the edition of 2013 use the dimensions
 // of the gear. The formulas of the edition of 1995 use the geometric means of the ranges in which
-// these dimensions lie. Radial composite tolerances follow ISO 1328-2:1997. Only the edition of
-// 1995 has tolerances of the sector pitch and single flank composite tolerances. Tolerances of axes
-// follow ISO/TR 10064-3.
+// these dimensions lie. Radial composite tolerances follow ISO 1328-2:1997. Tolerances of the
+// sector pitch and single flank composite tolerances exist only in the edition of 1995. Tolerances
+// of axes follow ISO/TR 10064-3.
 #pragma once
 
 #include <optional>
@@ -53,17 +53,17 @@ struct FlankToleranceValues {
   FlankTolerances edition = FlankTolerances::iso_2013;
 };
 
-/// True if the edition has this class: 1 to 11 in 2013, 0 to 12 in 1995.
+/// True if the edition has this class. The classes are 1 to 11 in 2013 and 0 to 12 in 1995.
 bool has_class(FlankTolerances edition, int quality);
 /// Message for a class that the edition does not have.
 inline constexpr const char* kClassesOfEditions =
     "is not a grade of this edition; ISO 1328-1:2013 has the grades 1 to 11, and ISO 1328-1:1995 "
     "has 0 to 12";
 
-/// The first dimension to which the formulas of the edition do not apply, with the range of the
-/// edition; empty if they apply to all dimensions.
+/// Returns the first dimension to which the formulas of the edition do not apply, with the range of
+/// the edition. The text is empty if the formulas apply to all dimensions.
 std::string beyond_range(FlankTolerances edition, const ToleranceSubject& gear);
-/// All tolerances except the tolerances of the axes.
+/// Returns all tolerances except the tolerances of the axes.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
 ///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]

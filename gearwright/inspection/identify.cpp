@@ -61,8 +61,9 @@ class Searching {
   static constexpr double kSameAngle = 1e-6;
   static constexpr double kLogOwnModule = -3.5;
 
-  // The base pitch and its standard deviation, computed from the span over the least and the span
-  // over the greatest number of teeth. None if all spans are over the same number of teeth.
+  // Returns the base pitch and its standard deviation, computed from the span over the least and
+  // the span over the greatest number of teeth. Returns none if all spans are over the same number
+  // of teeth.
   std::optional<std::array<double, 2>> base_pitch() const {
     const Observation *least = nullptr, *most = nullptr;
     for (const Observation& o : readings_) {
@@ -145,8 +146,8 @@ class Searching {
     return std::any_of(readings_.begin(), readings_.end(),
                        [&](const Observation& o) { return o.kind == kind; });
   }
-  // Plane anvils do not fit into the spaces of an internal helical gear, so an internal gear with a
-  // span is a spur gear, unless another reading contradicts this.
+  // True for an internal gear with a span, unless another reading contradicts a spur gear. Plane
+  // anvils do not fit into the spaces of an internal helical gear.
   bool measured_as_spur_ring() const {
     return problem_.teeth < 0 && has(Reading::span) && !has(Reading::lead) &&
            !has(Reading::helix_angle);
@@ -173,7 +174,7 @@ class Searching {
   std::vector<Observation> readings_;
 };
 
-// Greatest acceptable χ² of the exact readings. About one gear in ten thousand exceeds this value.
+// Returns the greatest acceptable χ² of the exact readings. One gear in ten thousand exceeds it.
 double most_misfit(const std::vector<Observation>& readings, const RackFit& fit) {
   const auto exact = std::count_if(readings.begin(), readings.end(),
                                    [](const Observation& o) { return o.exact(); });
@@ -231,8 +232,7 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
   return list;
 }
 
-// Finds the reading that contradicts all others. Without this reading, the others agree with a
-// standard gear.
+// Finds the reading that contradicts all others. The other readings agree with a standard gear.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

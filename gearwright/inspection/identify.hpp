@@ -1,5 +1,5 @@
-// Identification of an unknown gear: the standard gears that agree with its readings, the likeliest
-// first.
+// Identifies an unknown gear. The result lists the standard gears that agree with its readings, the
+// likeliest first.
 //
 //   u      uncertainty of a reading at 95 %; σ = u/1.96
 //   χ²     sum of squares of (reading − predicted reading)/σ
@@ -32,13 +32,12 @@ struct SpanReading {
   double value = 0.0;  ///< W_k  mm
 };
 
-/// A dimension over two balls.
 struct DiameterReading {
   double tool = 0.0;   ///< D_M   mm
   double value = 0.0;  ///< M_dK  mm
 };
 
-/// An optional reading with its uncertainty; by default, the usual uncertainty is used.
+/// An optional reading with its uncertainty. By default, the usual uncertainty is used.
 template <class T>
 struct MaybeReading {
   std::optional<T> value, uncertainty;
@@ -61,15 +60,14 @@ struct IdentifyProblem {
   std::optional<double> profile_shift{};        ///< x
   std::optional<double> thickness_allowance{};  ///< E_sn  mm
   std::optional<StraightRack> rack{};           ///< the basic rack
-  /// The factor that corrects a reading in the wrong unit: 25.4 if the user gives inches instead of
-  /// mm, and 1/25.4 if the user gives mm instead of inches.
+  /// The factor that corrects a reading in the wrong unit. It is 25.4 if the user gives inches
+  /// instead of mm, and 1/25.4 if the user gives mm instead of inches.
   double other_unit = 25.4;
 };
-/// The series of standard modules to which a candidate belongs.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
-/// The quantities that are read on an unknown gear, the exact ones first. `all` means all
-/// lengths that are read, and `span_teeth` means the numbers of teeth in the spans.
+/// The quantities that are read on an unknown gear, the exact ones first. `all` stands for all
+/// lengths that are read, and `span_teeth` for the numbers of teeth in the spans.
 enum class Reading {
   span,
   over_balls,

@@ -1,6 +1,6 @@
-// Computes what the identification of a gear shows about its inputs: a tip or a root that
-// contradicts the flanks, an implausible gear, and a mistake that explains these findings. The
-// mistake may be in the number of teeth of the gear or of the spans, or in the unit of a reading.
+// Checks the inputs of an identification. The tip or the root may contradict the flanks, or the
+// gear may be implausible. A mistake in the number of teeth of the gear or of the spans, or in the
+// unit of a reading, may explain these findings.
 //                                              theory: docs/theory/10-inspection.md
 #include <algorithm>
 #include <array>
@@ -35,8 +35,7 @@ void each_length(IdentifyProblem& p, const Visit& visit) {
   }
 }
 
-// True if the group is `all`, or if the problem has readings of this group and also of another
-// group.
+// True if the group is `all`, or if the problem has readings of this and of another group.
 bool has_group(IdentifyProblem p, Reading group) {
   bool own = group == Reading::all, others = own;
   each_length(p, [&](Reading one, double) {
@@ -52,7 +51,7 @@ IdentifyProblem scaled(IdentifyProblem p, Reading group, double factor) {
   return p;
 }
 
-// The identification. If the reading of the tip or the root contradicts the flanks of the
+// Returns the identification. If the reading of the tip or the root contradicts the flanks of the
 // likeliest gear, this reading is left out.
 Identification without_contradiction(const IdentifyProblem& problem) {
   Identification answer = detail::identify_readings(problem, detail::LeaveOut::one);
@@ -80,8 +79,7 @@ bool sound(const Identification& found) {
          found.candidates.front().plausible();
 }
 
-// Greatest magnitude of the thickness allowance, in modules, of a gear that is proposed as an
-// alternative.
+// Greatest magnitude of the thickness allowance, in modules, of a proposed alternative.
 constexpr double kUsualAllowanceOfMistake = 0.1;
 
 // True if tip and thickness of the gear are so usual that the gear is credible as an alternative.
@@ -90,14 +88,14 @@ bool agrees_well(const IdentifiedGear& g) {
          g.tip != TipReading::longer && g.tip != TipReading::shortened;
 }
 
-// Greatest magnitude of the profile shift of most gears. If the profile shift is greater, a mistake
-// is looked for that explains the readings by a gear with a smaller profile shift.
+// Greatest magnitude of the profile shift of most gears. If the profile shift is greater, the
+// function searches for a mistake whose correction gives a smaller profile shift.
 constexpr double kUsualShift = 1.0;
 
 bool is_usual(const IdentifiedGear& g) { return std::abs(g.generating_shift) <= kUsualShift; }
 
-// A gear that agrees with all readings after one mistake is corrected; none if there is no such
-// gear.
+// Returns a gear that agrees with all readings after one mistake is corrected, or none if there is
+// no such gear.
 std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
   const auto found = [](const IdentifyProblem& p) -> std::optional<IdentifiedGear> {
     const Identification answer = detail::identify_readings(p, detail::LeaveOut::none);

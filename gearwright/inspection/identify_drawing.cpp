@@ -29,8 +29,7 @@ constexpr double kMinusTip = 0.05;           // greatest undersize that indicate
 constexpr double kMostWear = 0.1;            // greatest wear of a tip radius
 constexpr double kShortestTip = 0.25;        // greatest plausible deviation from the tip that the
                                              // rack gives; a greater one contradicts the flanks
-// The usual series of DIN 3967 with the greatest allowance, for gears without a requirement on
-// backlash.
+// The usual series of DIN 3967 with the greatest allowance, for gears without required backlash.
 constexpr std::string_view kUsualSeries = "c27";
 
 // Standard deviations, in modules, for the comparison of racks, and the costs of a tip and of a
@@ -48,7 +47,7 @@ struct RackChoice {
   double log_prior;
 };
 
-// The named racks that a gear of this series and pressure angle can have.
+// Returns the named racks that a gear of this series and pressure angle can have.
 std::vector<RackChoice> rack_choices(ModuleSeries series, double alpha) {
   const auto is = [&](double degrees) {
     return std::abs(alpha - Angle::degrees(degrees).rad()) < 1e-9;
@@ -153,7 +152,7 @@ class Drawing {
     return side_ * (*p_.tip.value - d_) / (2 * m_) - rack.addendum;
   }
 
-  // The distance between the measured root and the root of this rack, in standard deviations.
+  // Returns the distance of the measured root from the root of this rack, in standard deviations.
   double root_misfit(const StraightRack& rack) const {
     const double depth = side_ * (d_ - *p_.root.value) / (2 * m_) + x_E_;
     const double reading = p_.root.uncertainty.value_or(kLength) / (2 * m_);

@@ -133,13 +133,13 @@ namespace {
 
 using std::numbers::pi;
 
-// The prior distributions: x_E scatters about 0, helix angles are uniform up to 45°, and modules
+// In the prior distributions, x_E scatters about 0, helix angles are uniform up to 45°, and modules
 // cover two decades.
 constexpr double kShiftScatter = 0.5;
 constexpr double kHelixRange = pi / 4;
 // Inverse variance of the prior of the helix angle, 1/rad². The standard deviation σ of this prior
-// follows from √(2π) σ = kHelixRange. All readings except a lead and a helix angle change with β²
-// only, so near β = 0 they hardly restrict the helix angle.
+// follows from √(2π) σ = kHelixRange. Readings other than a lead and a helix angle depend on β².
+// Near β = 0, they therefore hardly restrict the helix angle.
 constexpr double kHelixInformation = 2 * pi / (kHelixRange * kHelixRange);
 constexpr double kLogModuleRange = 5.0;
 constexpr int kMostSteps = 12;
@@ -148,7 +148,7 @@ double& unknown(GearNumbers& g, int which) {
   return which == 0 ? g.shift : which == 1 ? g.beta : g.module;
 }
 
-// Step of the difference quotients. It is small compared with the resolution of the readings.
+// Returns the step of the difference quotients, small relative to the resolution of readings.
 double step_of(const GearNumbers& g, int which) { return which == 2 ? 1e-6 * g.module : 1e-6; }
 
 // Computes the residuals. The last residual belongs to the prior of the shift. Returns false if a

@@ -1,4 +1,4 @@
-// Predicts the readings that a gear would give with the tools that were used on an unknown gear.
+// Predicts the readings that a gear gives with the tools that were used on the unknown gear.
 //
 // Internal to inspection/. identify() calls these functions about ten thousand times, so they use
 // closed forms and do not make the gear.
@@ -25,7 +25,7 @@ struct GearNumbers {
 struct Observation {
   Reading kind;
   double tool;  ///< k, D_M, z of the mating gear
-  /// mm; for a lead, its reciprocal in 1/mm, sin β/(π z m_n); for a helix angle, rad .
+  /// The reading, mm. For a lead, its reciprocal sin β/(π z m_n), 1/mm. For a helix angle, rad.
   double value;
   double sigma;  ///< standard deviation of the reading, in the same unit
   /// False for rough readings, which depend on wear, on the rack or on the mating gear.
@@ -34,21 +34,21 @@ struct Observation {
 
 std::vector<Observation> observations(const IdentifyProblem& problem);
 
-/// The predicted reading; none if the tool does not touch the flanks.
+/// Returns the predicted reading, or none if the tool does not touch the flanks.
 ///
 /// Formula   [T10.2], [T10.6], [T10.8]; lead π z m_n/sin β
 std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 
-/// (reading − predicted reading)/σ [T10.24]. For a rough reading, σ includes a scatter that is
-/// proportional to the module and is caused by wear and by different racks.
+/// Returns (reading − predicted reading)/σ [T10.24]. For a rough reading, σ includes a scatter that
+/// is proportional to the module and is caused by wear and by different racks.
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
 constexpr double kLength =
     0.02;  ///< mm, usual uncertainty of a measured tip, root or centre distance
 
-// Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle
-// and module if the hypothesis does not fix them. The evidence of the hypothesis is the
-// probability of the readings if the hypothesis is true, times the prior probability of the
+// Fits the unknowns of one hypothesis by least squares. The unknowns are the profile shift, and
+// also helix angle and module if the hypothesis does not fix them. The evidence of the hypothesis
+// is the probability of the readings if the hypothesis is true, times the prior probability of the
 // fitted values.
 
 struct Unknowns {
@@ -63,7 +63,8 @@ struct RackFit {
   double log_evidence;
 };
 /// Fits the unknowns by the Gauss–Newton method from `start`, and computes the evidence [T10.25].
-/// None if a tool does not touch the flanks, or if the readings do not determine the unknowns.
+/// Returns none if a tool does not touch the flanks, or if the readings do not determine the
+/// unknowns.
 std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknowns,
                                 const std::vector<Observation>& readings);
 
@@ -79,20 +80,20 @@ struct StandardRack {
 
 /// Modules of ISO 54 and diametral pitches, each with the usual pressure angles.
 const std::vector<StandardRack>& standard_racks();
-/// The values with which a drawing describes a fitted gear [T10.34]. `shift_uncertainty` is the
-/// uncertainty of x_E.
+/// Returns the values with which a drawing describes a fitted gear [T10.34]. `shift_uncertainty` is
+/// the uncertainty of x_E.
 DrawnGear drawn_gear(const IdentifyProblem& problem, const GearNumbers& gear, ModuleSeries series,
                      double shift_uncertainty);
 
-/// How many readings may be left out if no gear agrees with all of them.
+/// The number of readings that may be left out if no gear agrees with all of them.
 enum class LeaveOut { none, one };
 
-/// The candidates for a problem whose readings determine the size of the gear. All readings of tip
-/// and root are used, and the result has no alternative.
+/// Returns the candidates for a problem whose readings determine the size of the gear. All readings
+/// of tip and root are used, and the result has no alternative.
 Identification identify_readings(const IdentifyProblem& problem, LeaveOut leave_out);
 
-/// The measurement that best distinguishes the likeliest gear from another one. None if there is
-/// only one gear, or if no measurement distinguishes the gears.
+/// Returns the measurement that best distinguishes the likeliest gear from another one. Returns
+/// none if there is only one gear, or if no measurement distinguishes the gears.
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
                                                 const std::vector<IdentifiedGear>& candidates);
 

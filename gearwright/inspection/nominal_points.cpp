@@ -92,8 +92,7 @@ std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   }
   std::vector<FilletPlace> places;
   if (length == 0.0) return places;
-  // On the side y > 0 of an external tooth, the material lies to the right of the direction from
-  // root to tip.
+  // From root to tip on the side y > 0, the material of an external tooth lies to the right.
   const double out = outline.side();
   std::size_t at = 0;
   for (int i = 0; i < n; ++i) {

@@ -1,12 +1,12 @@
-// Nominal points of a flank for a measuring machine, with their normals.
+// Computes nominal points of a flank, with their normals, for a measuring machine.
 //
 //   ξ, z   roll angle, rad, and height from the middle of the face, mm    n   unit normal, outward
 //   φ      polar angle of the base tangent point, rad                     c   material removed, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// Points are given in the gear frame: z is the axis, and tooth 0 is centred on the x axis in the
-// middle of the face. Points of a modified flank are displaced by c along −n. Their normals are
-// inclined in accordance with the slopes of c.
+// Points are given in the gear frame. In this frame, z is the axis, and tooth 0 is centred on the x
+// axis in the middle of the face. Points of a modified flank are displaced by c along −n. Their
+// normals are inclined in accordance with the slopes of c.
 #pragma once
 
 #include <vector>
@@ -33,7 +33,7 @@ struct PointGrid {
   int helix = 5;    ///< number of points along the face, in equal steps
 };
 
-/// The point of the flank of tooth 0 at a roll angle and a height.
+/// Returns the point of the flank of tooth 0 at a roll angle and a height.
 ///
 /// Formula   φ = ±(ψ_b − σ ξ) + z 2π/p_z, point r_b (u ± σ ξ e), n = ±(cos β_b e − sin β_b k);
 ///           [T10.26], modified [T10.27]
@@ -41,16 +41,16 @@ struct PointGrid {
 NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankSide side,
                            double roll, double height);
 
-/// The points of the grid over the evaluation ranges, in rows of ascending height.
+/// Returns the points of the grid over the evaluation ranges, in rows of ascending height.
 ///
 /// Domain    both numbers of the grid ≥ 2 (contract)
 std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& removal,
                                          FlankSide side, const EvaluationRanges& ranges,
                                          const PointGrid& grid);
 
-/// Points of the root fillet next to a flank of tooth 0, from the root land to d_Ff. Rows are in
-/// order of ascending height and cover the evaluation range of the helix. Modifications do not
-/// change the fillet.
+/// Returns points of the root fillet next to a flank of tooth 0, from the root land to d_Ff. Rows
+/// are in order of ascending height and cover the evaluation range of the helix. Modifications do
+/// not change the fillet.
 ///
 /// Formula   P = R(2π z/p_z) p + z k with a point p of the fillet in the section z = 0 and its
 ///           normal e, n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]

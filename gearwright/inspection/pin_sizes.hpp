@@ -14,7 +14,7 @@ inline constexpr std::array kPinSizes_mm{
     4.0,  4.25, 4.5,  5.0,  5.25, 5.5,  6.0,  6.5,  7.0,  7.5,  8.0,  9.0,  10.0, 10.5, 11.0, 12.0,
     14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 35.0, 40.0, 45.0, 50.0};
 
-/// The size nearest to `mm` for which `fits(size)` is true. None if no size fits.
+/// Returns the size nearest to `mm` for which `fits(size)` is true. Returns none if no size fits.
 template <class Fits>
 std::optional<double> nearest_pin_size(double mm, const Fits& fits) {
   auto sizes = kPinSizes_mm;

@@ -13,8 +13,8 @@ std::optional<RackPin> pin_on_rack(const RackGeometry& rack, double diameter) {
   const double e_n = rack.normal_pitch - rack.thickness;
   const double x = (diameter / std::cos(alpha) - e_n) / (2 * std::tan(alpha));
   const double contact = x - radius * std::sin(alpha);
-  // A fillet has at most the radius of the circle that touches the root and both flanks. Therefore
-  // a circle that touches the flanks and ends above the root is clear of the fillets.
+  // The radius of a fillet is at most that of the circle that touches the root and both flanks. A
+  // circle that touches the flanks and ends above the root is therefore clear of the fillets.
   const bool clear = x - radius > -rack.dedendum;
   if (!clear || contact > rack.addendum || x + radius <= rack.addendum) return std::nullopt;
   return RackPin{diameter, x, contact, rack.height + x + radius};

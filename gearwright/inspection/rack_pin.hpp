@@ -1,4 +1,4 @@
-// A measuring pin in a tooth space of a rack, and the dimension over it.
+// Computes the position of a measuring pin in a space of a rack, and the dimension over the pin.
 //
 //   D_M       diameter of the pin, mm
 //   x_M       height of its axis above the datum line, mm
@@ -7,8 +7,8 @@
 //   h_a, h_f  addendum and dedendum of the rack, mm      α_n   pressure angle
 //                                              theory: docs/theory/10-inspection.md
 //
-// The pin lies along the teeth, so the section perpendicular to the teeth shows it as a circle. The
-// circle touches both straight flanks.
+// The pin lies along the teeth, so its section perpendicular to the teeth is a circle, which
+// touches both straight flanks.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,8 @@ struct RackPin {
   double dimension;  ///< M    mm, from the back of the rack over the pin
 };
 
-/// The pin with this diameter. None if it touches the root, touches the flanks beyond the tip, or
-/// does not project beyond the tips.
+/// Returns the pin with this diameter. Returns none if it touches the root, touches the flanks
+/// beyond the tip, or does not project beyond the tips.
 ///
 /// Formula   x_M = (D_M/cos α_n − e_n)/(2 tan α_n), M = h_B + x_M + D_M/2; [T10.38]
 /// Domain    diameter > 0 (contract)
@@ -36,7 +36,7 @@ std::optional<RackPin> pin_on_rack(const RackGeometry& rack, double diameter);
 
 /// Returns the pin with RackBar::pin_diameter if this diameter is given and can be measured.
 /// Otherwise, returns the measurable size of DIN 3977 that is nearest to e_n/cos α_n, the diameter
-/// of a pin that touches at the datum line. None if no size can be measured.
+/// of a pin that touches at the datum line. Returns none if no size can be measured.
 std::optional<RackPin> usual_pin(const RackGeometry& rack);
 
 }  // namespace gearwright

@@ -14,12 +14,12 @@ double contact_diameter(const ReferenceGeometry<double>& g, double length) {
   return std::hypot(g.base_diameter, length * std::cos(g.base_helix_angle));
 }
 
-// The length of the span whose contacts have this diameter. [T10.3]
+// Returns the length of the span whose contacts have this diameter. [T10.3]
 double length_to(const ReferenceGeometry<double>& g, double diameter) {
   return leaf::curvature_at(diameter, g.base_diameter) / std::cos(g.base_helix_angle);
 }
 
-// The real number k at which W_k has this length.
+// Returns the real number k at which W_k has this length.
 double teeth_of(const Gear& gear, double length) {
   const double pitch = gear.reference().base_pitch_normal;
   return 1.0 + (length - span_length(gear, 1)) / pitch;
@@ -38,8 +38,8 @@ struct Teeth {
   int least, most;
 };
 
-// The range of k for which the contacts lie on the usable flank and, if requested, within the face;
-// empty if most < least.
+// Returns the range of k for which the contacts lie on the usable flank and, if requested, within
+// the face. If most < least, the range is empty.
 Teeth touching_teeth(const Gear& gear, const UsableFlank& flank, bool within_face) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double lo = teeth_of(gear, length_to(g, flank.least()));

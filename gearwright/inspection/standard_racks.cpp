@@ -61,7 +61,8 @@ GearNumbers numbers_of(const IdentifiedGear& g) {
           g.generating_shift};
 }
 
-// Possible next measurements: the helix angle, and spans and balls that suit the likeliest gear.
+// Returns possible next measurements, which are the helix angle, and spans and balls that suit the
+// likeliest gear.
 std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& first) {
   const double m = first.normal_module;
   std::vector<Observation> list;

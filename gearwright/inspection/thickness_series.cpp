@@ -78,14 +78,13 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 constexpr int kMaxGrade = 12;
 
 // Magnitudes, µm, of the negative fundamental deviations of ISO 286-1, table 3. kDeviationP
-// contains the values of P for grades above IT7, one for each of the first sizes. kDeviationN is
-// the value of N for grades above IT8 and sizes up to 3 mm. For greater sizes, the deviation of N
-// is 0.
+// contains the values of P for grades above IT7 and the first sizes of kSizes. kDeviationN is the
+// value of N for grades above IT8 and sizes up to 3 mm. For greater sizes, the deviation of N is 0.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 
-// The index of the first border that is not less than the value. If all borders are less than the
-// value, the number of borders.
+// Returns the index of the first border that is not less than the value, or the number of borders
+// if all borders are less.
 template <std::size_t n>
 std::size_t row_of(const std::array<double, n>& borders, double value) {
   return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), value) -
@@ -99,13 +98,13 @@ std::optional<int> whole(std::string_view text) {
   return value;
 }
 
-// The number of a grade of ISO 286; 0 if the text is not a grade.
+// Returns the number of a grade of ISO 286, or 0 if the text is not a grade.
 int grade_of(std::string_view text) {
   const int grade = whole(text).value_or(0);
   return grade <= kMaxGrade ? std::max(grade, 0) : 0;
 }
 
-// The standard tolerance of a grade for a nominal size, mm; none beyond the table.
+// Returns the standard tolerance of a grade for a nominal size, mm, or none beyond the table.
 std::optional<double> tolerance_grade(int grade, double size) {
   const std::size_t row = row_of(kSizes, size);
   if (row == kSizes.size()) return std::nullopt;

@@ -90,8 +90,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     }
     for (Index i = 0; i < m; ++i) next[at[i]] = std::max(p[i], 0.0);
     if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; })) {
-      // If no loaded place is left, the place that touches at the least rotation is added to the
-      // set.
+      // If no loaded place is left, the place that touches at the least rotation is added.
       Index nearest = 0;
       (q.gap.array() / q.arm.array()).minCoeff(&nearest);
       active[nearest] = 1;

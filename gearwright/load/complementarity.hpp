@@ -11,8 +11,7 @@
 //
 // The loads are computed by an active set method with Newton steps [T12.14]. Each step removes
 // places with tension from the set of loaded places, and adds places at which the bodies overlap.
-// The solution is unique, because A is symmetric and positive definite, and because the local term
-// is monotone.
+// The solution is unique: A is symmetric and positive definite, and the local term is monotone.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,7 +58,7 @@ struct ContactSolution {
 /// Domain    at least one place; moment > 0; one start load ≥ 0 for each place (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});
 
-/// Half width of a Hertz strip. [T12.12]
+/// Returns the half width of a Hertz strip, mm. [T12.12]
 double hertz_half_width(double line_load, double radius, double reduced_modulus);
 
 }  // namespace gearwright

@@ -1,6 +1,6 @@
-// For random positions, the active set is compared with a slow search that shares no code with it:
-// the dual problem is solved by non-negative least squares (Lawson and Hanson). The laws of the
-// result are tested, too.
+// For random positions, the active set method is compared with a slow search that shares no code
+// with it. This search solves the dual problem by non-negative least squares (Lawson and Hanson).
+// The laws of the result are also tested.
 #include "gearwright/load/complementarity.hpp"
 
 #include <gtest/gtest.h>

@@ -28,7 +28,7 @@ bool inside(const FlankPatch& b, const GapJet& j) {
   return j.u.v >= b.u_lo && j.u.v <= b.u_hi && j.Z.v >= b.z_lo && j.Z.v <= b.z_hi;
 }
 
-// Greatest principal curvature of the gap. [T8.15]
+// Returns the greatest principal curvature of the gap. [T8.15]
 double curvature(const GapJet& j) {
   const double ss = std::norm(j.w1_s);
   const double sz = (std::conj(j.w1_s) * j.w1_z).real();
@@ -74,9 +74,9 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// The point of flank 1 at s = `good` lies opposite the patch `b` of flank 2, and the point at
-// s = `bad` does not. Returns the last s on the way from `good` to `bad` at which the point
-// lies opposite the patch, except for rounding.
+// Returns the last s between `good` and `bad`, within rounding, at which the point of flank 1 lies
+// opposite the patch `b` of flank 2. The point at s = `good` lies opposite this patch, and the
+// point at s = `bad` does not.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(

@@ -19,7 +19,7 @@ struct GapPlace {
   double arm = 0.0;                ///< mm
   std::array<double, 2> radius{};  ///< mm, distance of the place from the axis of each gear
   double curvature = 0.0;          ///< 1/R, 1/mm, curvature of the gap across the contact line
-  /// The edge on which the maximum of T in the slice lies; `line` if it lies on no edge.
+  /// The edge on which the maximum of T in the slice lies, or `line` if it lies on no edge.
   TouchKind kind = TouchKind::line;
   double s = 0.0;           ///< parameter on the patch of flank 1
   std::size_t patches = 0;  ///< index of the pair of patches
@@ -28,7 +28,7 @@ struct GapPlace {
 struct PairPlaces {
   int pair = 0;       ///< k, number of the tooth pair in the frame N
   double turn = 0.0;  ///< φ1 − k·pitch  rad, rotation of this tooth pair; increases during the mesh
-  /// The place in each slice; absent for a slice in which the flanks do not face each other.
+  /// The place in each slice. It is absent if the flanks do not face each other in the slice.
   std::vector<std::optional<GapPlace>> at;
 };
 
@@ -38,17 +38,17 @@ class GapSearch {
   /// `heights`, in mm, are the z coordinates of the slices on gear 1 in the frame N.
   GapSearch(const ContactPair& pair, std::vector<double> heights);
   const std::vector<double>& heights() const { return heights_; }
-  /// All tooth pairs whose flanks face each other in at least one slice. `rotation` is a rotation
-  /// of gear 1 in the frame N.
+  /// Returns all tooth pairs whose flanks face each other in at least one slice. `rotation` is a
+  /// rotation of gear 1 in the frame N.
   ///
   /// Accuracy  te is within 1e-13 rad of the greatest T over the profile. The part of flank 1 that
   ///           faces flank 2 is overlooked if it lies between two neighbouring rows
   std::vector<PairPlaces> places(double rotation);
-  /// ∂te/∂e at the place of a slice, rad per unit of the influence.
+  /// Returns ∂te/∂e at the place of a slice, rad per unit of the influence.
   ///
   /// Domain    the slice has a place; otherwise as row_slope() (contract)
   double slope(const PairPlaces& pair, std::size_t height, const Influence& influence);
-  /// The effect that material removed from gear `gear` has on `te` at the place of a slice.
+  /// Returns the effect that material removed from gear `gear` has on `te` at the place of a slice.
   RemovalTurn turn(const PairPlaces& pair, std::size_t height, int gear);
 
  private:

@@ -1,5 +1,5 @@
-// Summarises the positions under one torque: peak to peak, harmonics, stiffness, extremes. Scores
-// contain a few of these values, to compare pairs.
+// Computes the peak to peak, the harmonics, the stiffness and the extremes of the positions under
+// one torque. A score contains a few of these values, by which pairs are compared.
 //                                    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -30,19 +30,20 @@ struct SummaryBasis {
 /// Computes the members that follow from `torque.torque` and `torque.positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
-/// Amplitudes of the loaded TE at the orders 1, 2, …, at most 20, of the mesh frequency.
+/// Returns the amplitudes of the loaded TE at orders of the mesh frequency from 1 to at most 20.
 ///
 /// Domain    solved positions, evenly spaced over one pitch
 std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
 
-/// The load share of a tooth pair at one position, summed over the places where it touches.
+/// Returns the load share of a tooth pair at one position, summed over the places where it touches.
 double share_of(const LoadedPosition& position, int pair);
 
-/// Among the torques with harmonics, the torque with the least peak-to-peak loaded transmission
-/// error; nullptr if there are fewer than two torques or no torque has harmonics.
+/// Returns, of all torques with harmonics, the one with the least peak-to-peak loaded transmission
+/// error. Returns nullptr if there are fewer than two torques or if no torque has harmonics.
 const LoadedTorque* quietest(const LoadedContact& contact);
 
-/// If a contact has no result, the numbers are NaN, and face_load_factor is absent.
+/// The loaded contact under one torque in a few numbers. Without a result, the numbers are NaN, and
+/// face_load_factor is absent.
 struct LoadedScore {
   Angle peak_to_peak;                        ///< peak to peak of the loaded transmission error
   double max_pressure = 0.0;                 ///< MPa
@@ -50,17 +51,16 @@ struct LoadedScore {
   bool edge_carries = false;
 };
 
-/// One score for each torque. The list is empty if no teeth touch at some position, if a position
-/// does not converge, or if the slices are too fine for the contact.
+/// Returns one score for each torque. The list is empty if no teeth touch at some position, if a
+/// position does not converge, or if the slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 LoadedScore no_score();
-/// The score in which each member is the worse of the two values in `a` and `b`. NaN is worse than
-/// any number.
+/// Returns the score in which each member is the worse of the two values in `a` and `b`. NaN is
+/// worse than any number.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
-/// The effect of corrections under a torque. Each member of a score is the worst value over all
-/// scenarios.
+/// The effect of corrections under a torque. A score has the worst values over all scenarios.
 struct AimedLoad {
   double torque;  ///< N mm, on gear 1
   LoadedScore before, after;

@@ -19,7 +19,7 @@ using detail::PositionSolver;
 using detail::RootStress;
 using Eigen::MatrixXd;
 
-// The greatest value; NaN if any value is NaN.
+// Returns the greatest value, or NaN if any value is NaN.
 double greatest_of(const std::vector<double>& list) {
   for (const double v : list)
     if (std::isnan(v)) return v;

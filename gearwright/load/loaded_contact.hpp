@@ -28,15 +28,15 @@ struct LoadedPoint {
   double pressure = 0.0;                       ///< MPa, greatest pressure
   double semi_major = 0.0, semi_minor = 0.0;   ///< mm
   std::array<double, 2> diameter{}, height{};  ///< mm, position of the middle on each gear
-  /// Each semi-axis on the flank of each gear, mm, as two steps from the middle of the ellipse to
-  /// the end of the semi-axis: the step along the face and the step in radius.
+  /// Each semi-axis on the flank of each gear, mm. Its two components are the step along the face
+  /// and the step in radius from the middle of the ellipse to the end of the semi-axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
   int track = 0;        ///< number of the contact path; a tooth with double circular arcs has two
   bool beyond = false;  ///< true if the ellipse extends beyond an end of the flank or the face
 };
 
-/// One tooth pair in contact at one position; for point contact, one contact point of the pair.
+/// One tooth pair in contact at one position or, for point contact, one contact point of the pair.
 struct LoadedPair {
   int pair = 0;         ///< k, number of the tooth pair in the frame N
   double share = 0.0;   ///< fraction of the total load
@@ -47,7 +47,7 @@ struct LoadedPair {
   Eigen::VectorXd half_width;                 ///< mm
   std::vector<std::array<double, 2>> radius;  ///< mm, on both gears, for each slice
 };
-/// Values are NaN if no teeth touch or the forces do not converge.
+/// The contact at one position. Values are NaN if no teeth touch or the forces do not converge.
 struct LoadedPosition {
   Angle rotation1{};
   Angle te = Angle::radians(kNoNumber);           ///< loaded TE
@@ -55,7 +55,7 @@ struct LoadedPosition {
   double approach = kNoNumber;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
   double force = kNoNumber;                       ///< ΣF  N, normal force, for point contact only
   double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
-  /// Line load divided by approach, N/(mm µm); for point contact, force divided by approach, N/µm.
+  /// Line load divided by approach, N/(mm µm) or, for point contact, force by approach, N/µm.
   double stiffness = kNoNumber;
   /// Loaded tooth pairs or contact points, from the start to the end of contact.
   std::vector<LoadedPair> pairs{};
@@ -73,14 +73,13 @@ struct LoadedPosition {
   bool solved() const { return kind != TouchKind::none; }
 };
 
-/// The contact under one torque. Means and extremes are taken over the solved positions only. If no
-/// position is solved, they keep their initial values.
+/// The contact under one torque. Means and extremes are taken over the solved positions. Without a
+/// solved position, they keep their initial values.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
   Angle peak_to_peak = Angle::radians(kNoNumber);
-  /// Empty if the caller gave rotations or if a position is not solved, because harmonics require a
-  /// whole pitch.
+  /// Empty if rotations are given or a position is unsolved, because a whole pitch is needed.
   std::vector<Angle> harmonics{};
   struct Stiffness {
     /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach
@@ -123,7 +122,7 @@ struct LoadedContact {
   bool slices_too_fine = false;
 };
 
-/// The rotations of the request, or its positions over one pitch of gear 1.
+/// Returns the rotations of the request, or its positions over one pitch of gear 1.
 std::vector<Angle> rotations_of(const ContactPair& pair, const LoadRequest& request);
 
 /// Computes the loaded contact of `pair`. K_Hα is computed by means of `perfect`, which is the same
@@ -135,9 +134,9 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// Performs the computation of loaded_contact() in parts. Before the caller calls result(), calls
-/// of solve() must have covered all positions. The order of the calls of solve() does not matter,
-/// and they may run in several threads. The inputs must outlive the object.
+/// Performs the computation of loaded_contact() in parts. The calls of solve() must cover all
+/// positions before result() is called. Their order does not matter, and they may run in several
+/// threads. The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

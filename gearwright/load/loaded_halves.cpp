@@ -30,7 +30,7 @@ LoadedPosition whole(const LoadedPosition& a, const LoadedPosition& b) {
   p.unloaded_te = (a.unloaded_te + b.unloaded_te) / 2;
   p.approach = (a.approach + b.approach) / 2;
   p.force = a.force + b.force;
-  // The mean of both halves is divided by 2, because each half carries only half of the force.
+  // The mean of both halves is divided by 2, because each half carries half of the force.
   p.tangent = (a.tangent + b.tangent) / 4;
   p.max_pressure = harder.max_pressure;
   p.max_width_ratio = std::max(a.max_width_ratio, b.max_width_ratio);

@@ -1,5 +1,5 @@
-// Computes the loads of a pair at one rotation, in three steps: the possible contact positions, the
-// compliance between these positions, and the loads under a torque.
+// Computes the loads of a pair at one rotation. The three steps find the possible contact
+// positions, the compliance between these positions, and the loads under a torque.
 //
 // Internal to load/.        theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
 #pragma once
@@ -45,11 +45,12 @@ class PositionSolver {
   PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
                  const LoadRequest& request);
 
-  /// Gaps and compliance at a rotation in the frame N. Slices::all includes all slices of the tooth
-  /// pairs. This is necessary if the flanks change afterwards, because a change can close any gap.
+  /// Computes gaps and compliance at a rotation in the frame N. Slices::all includes all slices of
+  /// the tooth pairs. It is necessary if the flanks change afterwards, because a change can close
+  /// any gap.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
-  /// ∂te/∂e at the place of a slice, rad per unit of the influence.
+  /// Returns ∂te/∂e at the place of a slice, rad per unit of the influence.
   double slope(const PairPlaces& pair, int slice, const Influence& influence) {
     return search_.slope(pair, static_cast<std::size_t>(slice), influence);
   }
@@ -57,11 +58,11 @@ class PositionSolver {
   /// sets `too_fine`.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
-  /// The greatest share of a single tooth pair; NaN if the forces do not converge.
+  /// Returns the greatest share of a single tooth pair, or NaN if the forces do not converge.
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // The approach of the flanks by the additional deflection at the height z in the frame N, mm.
+  // Returns the approach by the additional deflection at the height z in the frame N, mm.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);

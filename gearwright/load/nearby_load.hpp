@@ -4,9 +4,9 @@
 //   T_i, arm_i   gap angle and arm of place i [T12.1]      e   amounts of influences
 //   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i        theory: docs/theory/14-scatter.md, [T14.25]
 //
-// Finding the places and their compliance takes most of the time. The places move when the flanks
-// change. The gap is corrected to first order in e, but compliance and curvature keep their values
-// for e = 0. The change of TE therefore has an error of a few percent.
+// The search for the places and the computation of their compliance take most of the time. If the
+// flanks change, the gap is corrected to first order in e, but compliance and curvature keep their
+// values for e = 0. The change of TE therefore has an error of a few percent.
 //
 // TE of a double-helical pair is the mean of both halves [T12.26].
 #pragma once
@@ -37,7 +37,7 @@ class NearbyLoad {
     std::vector<double> slope;    ///< rad per unit of each influence; empty unless requested
     double max_pressure = 0.0;    ///< MPa, over the positions and the torques
   };
-  /// The greatest peak to peak of the loaded TE over the torques of the request, after each
+  /// Returns the greatest peak to peak of the loaded TE over the torques of the request, after each
   /// influence has changed by its value in `change`.
   ///
   /// Domain    one change for each influence (contract)
@@ -49,7 +49,8 @@ class NearbyLoad {
   Span span(std::span<const double> change, bool slopes) const {
     return span({this, 1}, change, slopes);
   }
-  /// The same for the mean TE of both halves of a double-helical pair.
+  /// Returns the same values as the function above, for the mean TE of both halves of a
+  /// double-helical pair.
   ///
   /// Domain    one half or two, with the same numbers of positions and torques (contract)
   static Span span(std::span<const NearbyLoad> halves, std::span<const double> change, bool slopes);
@@ -66,7 +67,7 @@ class NearbyLoad {
     double pressure;  // MPa
     Eigen::VectorXd slope;
   };
-  // The result at one position under one torque; none if the forces have no solution.
+  // Returns the result at one position under one torque, or none if the forces have no solution.
   std::optional<Loaded> loaded(std::size_t position, std::size_t torque,
                                std::span<const double> change, bool slopes) const;
 

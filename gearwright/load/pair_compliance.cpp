@@ -19,8 +19,8 @@ constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints =
 // Least width of a slice in half widths of the contact, if kMostPairs tooth pairs share the load.
 constexpr double kHopelessWidths = 2.0;
 constexpr int kMostPairs = 3;
-// The least default width of a slice of an internal pair is this number times √(R m), where R is
-// the relative radius of curvature of the flanks and m is the module.
+// Least default width of a slice of an internal pair, divided by √(R m). R is the relative radius
+// of curvature of the flanks, and m is the module.
 constexpr double kFairWidth = 0.15;
 constexpr int kSlices = 32;
 constexpr int kTableSteps = 80;  // approximate number of steps of progress for a table
@@ -40,17 +40,17 @@ bool same_tooth(const Gear& a, const Gear& b) {
   return true;
 }
 
-// The width of the part of a gear's face that may be loaded, mm.
+// Returns the width of the part of a gear's face that may be loaded, mm.
 double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadRegime regime,
                double reach) {
   if (regime == LoadRegime::point) return std::min(gears[which]->spec.face_width, 2 * reach);
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
-// The slices of the part of the face that may be loaded, in the frame N, in mm from the middle of
-// the gear's face. For line contact, this part is the narrower of the two faces, because it lies
-// within the wider face. For point contact, it is the part within the reach, which is shifted onto
-// the face if it extends beyond an end.
+// Returns the slices of the part of the face that may be loaded, in the frame N, in mm from the
+// middle of the gear's face. For line contact, this part is the narrower of the two faces, because
+// it lies within the wider face. For point contact, it is the part within the reach, which is
+// shifted onto the face if it extends beyond an end.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
   const double face = face_of(gears, which, request.regime, request.reach);
@@ -66,8 +66,8 @@ bool same_slices(const FaceSlices& a, const FaceSlices& b) {
   return a.count == b.count && a.lo == b.lo && a.hi == b.hi;
 }
 
-// The half width of the contact of involute teeth at the pitch point, mm, if kMostPairs tooth pairs
-// share the greatest torque. [T12.12]
+// Returns the half width of the contact of involute teeth at the pitch point, mm, if kMostPairs
+// tooth pairs share the greatest torque. [T12.12]
 double least_half_width(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request) {
   if (request.regime == LoadRegime::point || request.torques.empty()) return 0.0;
   const double torque = *std::max_element(request.torques.begin(), request.torques.end());
@@ -83,7 +83,7 @@ double least_half_width(const Gear& gear_1, const Gear& gear_2, const LoadReques
   return hertz_half_width(line_load, radius, 1 / soft);
 }
 
-// A table does not depend on Young's modulus.
+// True if both bodies have the same table, which does not depend on Young's modulus.
 bool same_body(const ElasticBody& a, const ElasticBody& b) {
   return a.bore_diameter == b.bore_diameter && a.poisson_ratio == b.poisson_ratio;
 }

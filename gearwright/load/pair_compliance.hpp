@@ -1,6 +1,6 @@
-// The compliance of the teeth of a pair, in a table for each gear, and of the shafts. It does not
-// depend on torque, errors or modifications. The tables need most of the computing time of a loaded
-// contact, so a caller with several requests should keep them.
+// Computes the compliance of the teeth of a pair, in a table for each gear, and of the shafts. The
+// compliance does not depend on torque, errors or modifications. The tables take most of the
+// computing time of a loaded contact, so a caller with several requests should keep them.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -48,33 +48,33 @@ struct LoadRequest {
   bool deflects() const {
     return shafts[0] || shafts[1] || deflection_slope != 0.0 || deflection_bow != 0.0;
   }
-  /// The same request with rigid shafts and without deflections.
+  /// Returns the same request with rigid shafts and without deflections.
   LoadRequest undeflected() const;
 };
 
-/// Numbers of slices of the loaded part of each face that are great enough for accurate results,
-/// and usually small enough for a solution to exist. Each number is 32, or less if the slices would
-/// be narrower than a quarter of a module (0.4 modules for helical teeth), but at least 4. For line
-/// contact, the loaded part is the common face, and both numbers are equal.
+/// Returns numbers of slices of the loaded part of each face that give accurate results and usually
+/// a solution. Each number is 32. If 32 slices would be narrower than a quarter of a module (0.4
+/// modules for helical teeth), the number is less than 32, but at least 4. For line contact, the
+/// loaded part is the common face, and both numbers are equal.
 ///
 /// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
-/// widths of 0.17 modules and less. Of 24 random helical pairs, no pair had an indefinite
-/// matrix at a width of 0.36 modules, but a quarter of the pairs had one at 0.32 modules.
+/// widths of 0.17 modules and less. In a test with 24 random helical pairs, a quarter of the pairs
+/// had an indefinite matrix at a width of 0.32 modules, and none at 0.36 modules.
 ///
-/// The contact of internal pairs is wider, so their slices must also be wider. The least width
-/// is four times the half width of the contact at the pinion's tip under a line load of 125
-/// N/mm per mm of module. With slices of this width, all six tested pairs, with tooth numbers
-/// from 14:30 to 40:52, had a solution up to 400 MPa at the roots.
+/// The contact of internal pairs is wider than that of external pairs, so their slices must be
+/// wider. The least width of a slice is four times the half width of the contact at the pinion's
+/// tip under a line load of 125 N/mm per mm of module. With slices of this width, all six tested
+/// pairs, with tooth numbers from 14:30 to 40:52, had a solution up to 400 MPa at the roots.
 ///
 /// For point contact, the root stress depends on the width of the slices. For crossed gears with 17
-/// and 31 teeth at 90°, it is 2 % lower with slices of 0.6 modules than with slices of 0.2 modules,
-/// and 10 % lower with slices of 1.25 modules.
+/// and 31 teeth at 90°, the stress is 2 % lower with slices of 0.6 modules than with slices of 0.2
+/// modules. With slices of 1.25 modules, it is 10 % lower.
 std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime,
                                double reach = kInfinity);
 
-/// The value of LoadRequest::reach for crossed axes. It is the sum of the length of the path of
-/// contact beyond the pitch point, which is at most h_a/sin α_n, and of 2 modules for the ellipses
-/// and errors. It is at least half of the width of 32 slices.
+/// Returns the value of LoadRequest::reach for crossed axes. The path of contact extends beyond the
+/// pitch point by at most h_a/sin α_n. The value is this length plus 2 modules for the ellipses and
+/// errors, but at least half of the width of 32 slices.
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
 inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face
@@ -94,9 +94,9 @@ NarrowestSlices narrowest_slices(const Gear& gear_1, const Gear& gear_2,
 /// accuracy. None had a solution at a width of 0.16 modules (spur teeth) or 0.2 modules (helical
 /// teeth). For point contact, the compliance of a place would be negative.
 ///
-/// For line contact, there is a second limit: twice the half width of the contact if three tooth
-/// pairs share the greatest torque. Spur pairs of steel with 20:40 and 60:90 teeth had no solution
-/// at less than 2.2 times the greatest half width. The check needs no tooth table.
+/// For line contact, a second limit is twice the half width of the contact if three tooth pairs
+/// share the greatest torque. Spur pairs of steel with 20:40 and 60:90 teeth had no solution at
+/// less than 2.2 times the greatest half width. The check needs no tooth table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The compliance of both gears. The tables depend only on the outlines, faces and materials.
@@ -119,8 +119,8 @@ Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready = {});
 
-/// The table of gear `which` (1 or 2) of a pair. Most of the computing time of pair_compliance() is
-/// needed for the tables.
+/// Returns the table of gear `which` (1 or 2) of a pair. Most of the computing time of
+/// pair_compliance() is needed for the tables.
 ///
 /// Errors    as pair_compliance
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,

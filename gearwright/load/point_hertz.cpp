@@ -12,13 +12,13 @@ namespace gearwright {
 
 namespace {
 
-// Least b/a. It corresponds to k1/k2 = 1e-17, which is practically a line contact.
+// Least b/a. It corresponds to k1/k2 = 1e-17, at which the contact is practically a line contact.
 constexpr double kThinnest = 1e-9;
 // K and D = (K − E)/e² for κ = b/a by Carlson's integrals, accurate for thin and round ellipses.
 double elliptic_k(double axes) { return boost::math::ellint_rf(0.0, axes * axes, 1.0); }
 double elliptic_d(double axes) { return boost::math::ellint_rd(0.0, axes * axes, 1.0) / 3.0; }
 
-// k1/k2 of an ellipse with b/a = `axes`. [T12.22]
+// Returns k1/k2 of an ellipse with b/a = `axes`. [T12.22]
 double curvature_ratio(double axes) {
   const double d = elliptic_d(axes);
   return axes * axes * d / (elliptic_k(axes) - d);

@@ -23,7 +23,7 @@ class HertzPoint {
   /// Domain    0 < k1 ≤ k2, E* > 0 (contract)
   HertzPoint(const std::array<double, 2>& gap_curvature, double reduced_modulus);
 
-  /// The ellipse under a force.
+  /// Returns the ellipse under a force.
   ///
   /// Domain    force ≥ 0  N (contract)
   HertzEllipse under(double force) const;

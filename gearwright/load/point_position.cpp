@@ -145,7 +145,7 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
     }
   }
   // The part of the axis that lies on the flanks changes with the force. The number of nodes on
-  // this part is constant, because forces and footprints would otherwise not converge.
+  // this part must stay constant for forces and footprints to converge.
   const double a = ellipse.semi_major;
   const double lo = reach(place, bent.middle, bent.middle - a);
   const double hi = reach(place, bent.middle, bent.middle + a);
@@ -196,9 +196,9 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
   return yield.selfadjointView<Eigen::Lower>();
 }
 
-// The function w ≈ c0 + c1 x + ½ c2 x² is fitted to the displacement over the footprint,
-// weighted by the load shares. With this displacement, the gap is least at x0 = −c1/(k1 + c2).
-// If x0 lies beyond an end of a flank, the gap is least at this end.
+// Fits w ≈ c0 + c1 x + ½ c2 x² to the displacement over the footprint, weighted by the load shares.
+// With this displacement, the gap is least at x0 = −c1/(k1 + c2). If x0 lies beyond an end of a
+// flank, the gap is least at this end.
 Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid,
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
@@ -242,8 +242,8 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   return e;
 }
 
-// A larger force causes a longer footprint and more bending of the bodies, so forces and footprints
-// are computed alternately.
+// Computes forces and footprints alternately, because a larger force causes a longer footprint and
+// more bending of the bodies.
 PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   const auto n = static_cast<Index>(at.places.size());
   PointProblem q;
@@ -259,8 +259,8 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
   // Full steps are used first. If they do not converge, the step length is computed from the last
-  // two steps. It is longer than a full step if convergence is slow, and shorter than a full step
-  // if the steps oscillate.
+  // two steps. It exceeds a full step if convergence is slow, and is less than a full step if the
+  // steps oscillate.
   double part = 1.0;
   VectorXd last;
   bool still = false;

@@ -1,5 +1,5 @@
-// Computes the loads of a pair with point contact at one rotation, in three steps: the point of
-// least gap of each tooth pair, the compliance, and the loads under a torque. Crossed and
+// Computes the loads of a pair with point contact at one rotation. The three steps find the point
+// of least gap of each tooth pair, the compliance, and the loads under a torque. Crossed and
 // circular-arc gears have point contact.
 //
 // Internal to load/.                       theory: docs/theory/12-loaded-contact.md, 12.6
@@ -25,8 +25,8 @@ struct PointPlace {
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
   Eigen::Vector2d along;  // (ds, dz) on flank 1 per mm along the major axis
-  // For each gear and each axis of the ellipse (major, minor): the steps along the face and in
-  // radius, both per mm along this axis.
+  // The steps along the face and in radius per mm along an axis of the ellipse, [gear][axis], with
+  // the major axis first.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
@@ -46,7 +46,8 @@ struct AxisPlace {
 struct Laid {
   LoadedPoint point;
   double softness = 0.0;         // c of [T12.24]  mm/N^(2/3)
-  std::vector<double> x, share;  // for each node: mm from the touch; load share, with the sum 1
+  std::vector<double> x, share;  // for each node, mm from the first touch, and load share with the
+                                 // sum 1
   // For each gear and node, a unit force at the node, distributed over the grid of the table.
   std::array<std::vector<Eigen::MatrixXd>, 2> node;
   std::array<Eigen::MatrixXd, 2> grid;  // for each gear, the sum of `node`, weighted by `share`
@@ -72,7 +73,7 @@ class PointSolver {
     std::vector<Laid> laid;
   };
   Shared share(const PointPosition& at, double torque);
-  // The compliance in mm/N that corresponds to the value 1 in the table of a gear.
+  // Returns the compliance in mm/N that corresponds to the value 1 in the table of a gear.
   double unit(int gear) const {
     return 1 / (compliance_.bodies[gear].youngs_modulus * module_[gear]);
   }
@@ -83,8 +84,8 @@ class PointSolver {
   // x that lies on both flanks.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
-  // The next ellipse of place i, computed from the displacement of the bodies that `force` causes
-  // along the major axis of the present ellipse.
+  // Returns the next ellipse of place i, computed from the displacement of the bodies that `force`
+  // causes along the major axis of the present ellipse.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
                std::size_t i);
 

@@ -35,7 +35,7 @@ class Sharing {
       d[i] = 1.5 * std::sqrt(std::max(x[i], 0.0) / q_.softness[i]) / q_.softness[i];
     return d;
   }
-  // The errors of the gap equations, mm, followed by the relative error of the moment.
+  // Returns the errors of the gap equations, mm, followed by the relative error of the moment.
   VectorXd residual(const VectorXd& x) const {
     const VectorXd f = force(x);
     VectorXd r(n_ + 1);
@@ -51,7 +51,8 @@ class Sharing {
     j.bottomLeftCorner(1, n_) = q_.arm.cwiseProduct(d).transpose() / q_.moment;
     return j;
   }
-  // At the start, the point that touches at the least rotation carries the whole load.
+  // Returns the start of the iteration, at which the point that touches at the least rotation
+  // carries the whole load.
   VectorXd start() const {
     Index first = 0;
     q_.gap.cwiseQuotient(q_.arm).minCoeff(&first);

@@ -6,8 +6,8 @@
 //   Θ      rotation of gear 2 beyond rigid contact   arm_i   normal gap per rad of Θ
 //   g_i    gap without load                          G_ij    compliance of the bodies
 //
-// If point i carries load, δ_i is its Hertz approach; if not, −δ_i is the remaining gap. The forces
-// minimise a strictly convex energy, so the solution is unique.
+// If point i carries load, δ_i is its Hertz approach. Otherwise, −δ_i is the remaining gap. The
+// forces minimise a strictly convex energy, so the solution is unique.
 #pragma once
 
 #include <Eigen/Core>

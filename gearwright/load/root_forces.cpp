@@ -10,7 +10,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// The loaded teeth, followed by their unloaded neighbours, which also deform.
+// Returns the loaded teeth, followed by their unloaded neighbours, which also deform.
 std::vector<int> teeth_that_feel(const std::vector<ToothForces>& forces) {
   std::vector<int> teeth;
   const auto add = [&](int tooth) {

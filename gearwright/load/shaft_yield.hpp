@@ -1,5 +1,5 @@
-// Displacement of the flanks by the bending and the twist of the shafts. It couples all places of
-// contact along the face.
+// Computes the displacement of the flanks by the bending and the twist of the shafts. This
+// displacement couples all places of contact along the face.
 //
 //   β_b, r_b, ρ   base helix angle; base radius and radius of curvature of a flank at a place
 //   s_i           +1 or −1, sign of the moment of the axial force in the plane of action
@@ -36,7 +36,7 @@ FaceDeflection face_deflection(const Eigen::VectorXd& approach);
 
 class ShaftYield {
  public:
-  /// The shafts of the request. If the request has no shafts, S is 0.
+  /// Computes S for the shafts of the request. If the request has no shafts, S is 0.
   ///
   /// Domain    LoadRegime::line; `compliance` was computed for the same request (contract)
   ShaftYield(const ContactPair& pair, const Gear& one, const Gear& two,
@@ -48,18 +48,18 @@ class ShaftYield {
     std::array<double, 2> radius;  ///< mm, on each gear
   };
   bool any() const { return shafts_[0].influence || shafts_[1].influence; }
-  /// S between these places, mm/N.
+  /// Returns S between these places, mm/N.
   ///
   /// Formula   [T12.35]
   Eigen::MatrixXd between(const std::vector<Place>& places) const;
-  /// S for a contact at the pitch point in every slice. The slices are in the order of ascending z
-  /// in the housing frame.
+  /// Returns S for a contact at the pitch point in every slice. The slices are in the order of
+  /// ascending z in the housing frame.
   const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
-  /// The mean of S at the pitch point, mm/N, which is the displacement of the axes. It is excluded
-  /// from the approach, the transmission error and the stiffness of the mesh.
+  /// Returns the mean of S at the pitch point, mm/N, which is the displacement of the axes. It is
+  /// excluded from the approach, the transmission error and the stiffness of the mesh.
   double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
-  /// Slope and bow of the approach of the flanks. `line_load`, N/mm, has a value for each slice, in
-  /// the order of ascending z in the housing.
+  /// Returns slope and bow of the approach of the flanks. `line_load`, N/mm, has a value for each
+  /// slice, in the order of ascending z in the housing.
   FaceDeflection under(const Eigen::VectorXd& line_load) const;
 
  private:

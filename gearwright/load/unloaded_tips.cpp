@@ -24,7 +24,7 @@ constexpr double kClose = 5e-6;  // mm: tolerance of a relief; reliefs are made 
 // does not include places with a wider gap.
 constexpr double kGreatest = 1.0 / 40;
 
-// The equation ρ_1 = a + r_b1 φ + c z of a contact of pair 0. z and φ are in the frame N.
+// The equation ρ_1 = a + r_b1 φ + c z of the contact of tooth pair 0, with z and φ in the frame N.
 struct PathPlace {
   double a = 0.0, c = 0.0, base_radius = 0.0;
 
@@ -76,8 +76,8 @@ std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
   return list;
 }
 
-// The distance s between tip and flank at a place; 0 if the place carries load, none if the forces
-// do not converge.
+// Returns the distance s between tip and flank at a place. It is 0 if the place carries load, and
+// none if the forces do not converge.
 std::optional<double> distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   Position at = solver.prepare(tip.rotation);
   if (at.rows.empty()) return kInfinity;
@@ -95,7 +95,7 @@ std::optional<double> distance_at(PositionSolver& solver, const TipPlace& tip, d
   return kInfinity;
 }
 
-// The helix modifications of the flanks, combined with these tip reliefs.
+// Returns the helix modifications of the flanks, combined with these tip reliefs.
 PairModifications with_reliefs(const PairModifications& all, const std::array<double, 2>& amount,
                                const TipPath& path) {
   PairModifications made;
@@ -145,8 +145,8 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
   }
   // The iteration starts with reliefs that are usually so great that no tip carries load. Each
   // iteration reduces the relief of a gear by the least distance that remains at its tips. With
-  // less relief, the load is spread over more teeth. The distance therefore decreases by less
-  // than the relief, and the reliefs approach the least possible reliefs from above.
+  // less relief, the load is spread over more teeth, so the distance decreases by less than the
+  // relief. The reliefs therefore approach the least possible reliefs from above.
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};

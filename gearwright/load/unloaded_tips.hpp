@@ -1,13 +1,14 @@
-// The least tip reliefs with which the tips of both gears begin and end contact without load.
+// Computes the least tip reliefs with which the tips carry no load at both ends of contact.
 //
 //   C_i   mm, relief at the tip of gear i, normal to the flank        Θ, w, g   as [T12.2]
 //   s     mm, normal distance that remains under load between a tip and its mating flank
 //   ρ_1   mm, radius of curvature of flank 1, as the coordinate along the path of contact
 //
 // Under load, the gears approach each other. Without relief, a tooth pair would therefore overlap
-// (s < 0) at both ends of the path of contact: at the tip of gear 2 where it enters the mesh, and
-// at the tip of gear 1 where it leaves the mesh. The reliefs are computed from the solution of the
-// complementarity problem. If a tip carries no load, its relief is too great by about s.
+// (s < 0) at both ends of the path of contact. The overlap would be at the tip of gear 2 where the
+// tooth pair enters the mesh, and at the tip of gear 1 where it leaves the mesh. The reliefs are
+// computed from the solution of the complementarity problem. If a tip carries no load, its relief
+// is too great by about s.
 //                                     theory: docs/theory/12-loaded-contact.md, [T12.27]
 #pragma once
 

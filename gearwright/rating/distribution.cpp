@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// The reduction of the misalignment f by running-in for one material, µm. The reduction is a
-// fraction of f, up to a limit. For hardened surfaces, the limit is the same at all speeds v. For
+// Returns the reduction of the misalignment f by running-in for one material, µm. The reduction is
+// a fraction of f, up to a limit. For hardened surfaces, the limit is the same at all speeds v. For
 // other materials, there is no limit up to 5 m/s, one limit from 5 to 10 m/s, and a smaller limit
 // above 10 m/s.
 double helix_running_in(const Material& m, double f, double v) {
@@ -30,8 +30,8 @@ double helix_running_in(const Material& m, double f, double v) {
   return std::min({share * f, v > 10.0 ? fast : v > 5.0 ? medium : kInfinity, f});
 }
 
-// For each of the five arrangements: K' with stiffening (`stiff`), K' without stiffening (`loose`),
-// and the greatest s/l for which the figure is valid (`most`).
+// The numbers of one of the five arrangements. They are K' with stiffening (`stiff`), K' without
+// stiffening (`loose`), and the greatest s/l for which the figure is valid (`most`).
 struct Arrangement {
   double stiff, loose, most;
 };
@@ -41,7 +41,7 @@ constexpr std::array<Arrangement, 5> kArrangements{{{0.48, 0.80, 0.3},
                                                     {-0.36, -0.60, 0.3},
                                                     {-0.60, -1.00, 0.3}}};
 
-// Reduction of the misalignment f by running-in, µm, as the mean of both materials.
+// Returns the reduction of the misalignment f by running-in, µm, as the mean of both materials.
 //
 // Formula   ISO 6336-1, 7.5.2.4, by kind of material and pitch line velocity
 double running_in_misalignment(const std::array<Material, 2>& materials, double f,

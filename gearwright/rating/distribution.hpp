@@ -1,5 +1,5 @@
-// Load distribution factors: along the face (K_Hβ, K_Fβ) and between the tooth pairs in mesh (K_Hα,
-// K_Fα).
+// Computes the load distribution factors along the face (K_Hβ, K_Fβ) and between the tooth pairs in
+// mesh (K_Hα, K_Fα).
 //
 //   f_sh, f_ma   misalignment from shaft and pinion deflection, and from manufacture, µm
 //   F_βx, F_βy   equivalent misalignment before and after running-in, µm
@@ -37,7 +37,7 @@ struct FaceLoad {
   bool offset_in_range = true;                   ///< true if s/l is below the limit of the figure
 };
 
-/// K_Hβ without helix modification, from the mounting.
+/// Computes K_Hβ without helix modification, from the mounting.
 ///
 /// Formula   [T11.11]…[T11.13]; ISO 6336-1, 7.5 with B_1 = B_2 = 1
 /// Law       the two branches are equal at F_βy c_γβ/(2 F_m/b) = 1
@@ -45,14 +45,14 @@ FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
                    const std::array<Material, 2>& materials, double mean_load, double c_gamma_beta,
                    const std::array<double, 2>& f_Hbeta, double velocity);
 
-/// K_Hβ without helix modification, from f_sh and f_ma, µm.
+/// Computes K_Hβ without helix modification, from f_sh and f_ma, µm.
 ///
 /// Formula   [T11.12], [T11.13]
 FaceLoad face_load(const Factor& f_sh, double f_ma, const std::array<Material, 2>& materials,
                    double mean_load, double c_gamma_beta, const std::array<double, 2>& f_Hbeta,
                    double velocity);
 
-/// K_Fβ from K_Hβ.
+/// Computes K_Fβ from K_Hβ.
 ///
 /// Formula   [T11.14]; ISO 6336-1, 7.6: K_Fβ = K_Hβ^(N_F). N_F depends on the lesser b/h of the two
 ///           gears. If this b/h is less than 3, N_F is computed with 3
@@ -62,15 +62,14 @@ struct TransverseLoad {
   Factor K_Halpha, K_Falpha;
 };
 
-/// K_Hα and K_Fα. `deviation` is max(f_pb, f_fα) − y_α, µm, and `load` is F_t K_A K_γ K_v K_Hβ/b,
-/// N/mm.
+/// Computes K_Hα and K_Fα. `deviation` is max(f_pb, f_fα) − y_α, µm, and `load`, N/mm, is
+/// F_t K_A K_γ K_v K_Hβ/b.
 ///
 /// Formula   [T11.15]; ISO 6336-1, 8.3, with both branches of ε_γ and both limits
 TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, double deviation,
                                double load, double Z_epsilon);
 
-// Deviation of the flanks along the face, due to the deflections of both shafts under the mesh
-// force.
+// Deviation of the flanks along the face due to the deflections of both shafts.
 //
 //   F_t        transverse force at the reference cylinder of the pinion, N
 //   F_bt       force in the transverse plane of action, N       T_i   torque on gear i, N mm
@@ -93,7 +92,7 @@ struct MeshShafts {
 
 /// Number of equally spaced points of the common face, including both ends, at which f is computed.
 constexpr int kShaftPoints = 257;
-/// f at kShaftPoints points, by ascending z, under F_t.
+/// Returns f under F_t at kShaftPoints points, in the order of ascending z.
 ///
 /// Formula   [T11.48]…[T11.52]
 /// Domain    a gear with a shaft is external (contract)
@@ -102,7 +101,7 @@ constexpr int kShaftPoints = 257;
 ///               are the same in reverse order
 std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& shafts, double F_t);
 
-/// f_sh under F_t, µm.
+/// Returns f_sh under F_t, µm.
 double shaft_misalignment(const RatedPair& pair, const MeshShafts& shafts, double F_t);
 
 }  // namespace gearwright

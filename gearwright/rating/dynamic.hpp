@@ -1,4 +1,5 @@
-// Internal dynamic loads of the mesh: running-in, resonance and the dynamic factor, method B.
+// Computes the internal dynamic loads of the mesh by method B. They follow from running-in and
+// resonance, and are expressed by the dynamic factor.
 //
 //   m_red    reduced mass of the pair per face width, kg/mm
 //   n_E1     resonance speed of the pinion, 1/min           N = n_1/n_E1
@@ -16,17 +17,17 @@
 
 namespace gearwright {
 
-/// Reduction of a deviation by running-in, µm, as the mean of both materials.
+/// Returns the reduction of a deviation by running-in, µm, as the mean of both materials.
 ///
 /// Formula   ISO 6336-1, 8.3.5, (75) and the following formulas, by kind of material and pitch line
 ///           velocity v
 double running_in(const std::array<Material, 2>& materials, double deviation, double velocity);
-/// Tip relief due to running-in, C_ay, µm, as the mean of both materials.
+/// Returns the tip relief due to running-in, C_ay, µm, as the mean of both materials.
 ///
 /// Formula   ISO 6336-1, 6.5.4, (18)
 double running_in_relief(const std::array<Material, 2>& materials);
 
-/// Reduced mass of the mesh per millimetre of face, kg/mm.
+/// Returns the reduced mass of the mesh per millimetre of face, kg/mm.
 ///
 /// Formula   [T11.4]; ISO 6336-1, 6.5.9, (30): a gear is a ring between the bore and
 ///           d_m = (d_a + d_f)/2. An internal gear is a ring outside d_m; by default its rim has a
@@ -52,7 +53,8 @@ struct Dynamic {
   Factor K_v;
 };
 
-/// N_S, the resonance ratio at which the main resonance begins; `specific_load` as in DynamicInput.
+/// Returns N_S, the resonance ratio N at which the main resonance begins. `specific_load` is
+/// defined as in DynamicInput.
 ///
 /// Formula   ISO 6336-1, 6.5
 double resonance_begin(double specific_load);
@@ -84,13 +86,13 @@ struct Stiffness {
   double C_R, C_B;
   bool in_range;  ///< true if x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, the range of the formula for q'
 };
-/// The gear body whose web and rim have these thicknesses on the drawing, mm.
+/// Returns the gear body whose web and rim have these thicknesses on the drawing, mm.
 inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }
 
-/// The stiffness of a mesh. `specific_load` is F_t K_A K_γ/b in N/mm. A load below 100 N/mm reduces
-/// the stiffness. `elasticity` is E/E_St.
+/// Returns the stiffness of a mesh. `specific_load` is F_t K_A K_γ/b in N/mm. A load below 100 N/mm
+/// reduces the stiffness. `elasticity` is E/E_St.
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), and with
 ///           1/z_n2 = 0 for an internal gear
@@ -99,7 +101,7 @@ Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double ela
 
 // Material correction of formulas that ISO 6336-1 gives for two steel gears.
 
-/// E/E_St of two gears with the moduli of elasticity e1 and e2, MPa.
+/// Returns E/E_St of two gears with the moduli of elasticity e1 and e2, MPa.
 ///
 /// Formula   ISO 6336-1, clause 9: E = 2 E_1 E_2/(E_1 + E_2), E_St = 206 000 N/mm²
 inline double relative_elasticity(double e1, double e2) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kNoRoll = 1e-9;  // rad; a smaller roll angle is 0 within rounding
 
-// C_ZL, which is constant below 850 and above 1200 N/mm².
+// Returns C_ZL, which is constant below 850 and above 1200 N/mm².
 double film_constant(double sigma_Hlim) {
   return 0.83 + 0.08 * (std::clamp(sigma_Hlim, 850.0, 1200.0) - 850.0) / 350.0;
 }
@@ -28,7 +28,7 @@ bool steel_without_hard_surface(const Material& m) {
   return m.kind == MaterialKind::through_hardened || m.kind == MaterialKind::normalized;
 }
 
-// Radius of relative curvature at the pitch point, ρ_red, mm.
+// Returns the radius of relative curvature at the pitch point, ρ_red, mm.
 double pitch_curvature(const RatedPair& pair) {
   const double t = std::tan(pair.alpha_wt) / 2;
   const double rho1 = pair.gears[0].base_diameter * t;

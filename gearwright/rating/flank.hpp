@@ -15,8 +15,9 @@
 namespace gearwright {
 
 Factor zone_factor(const RatedPair& pair);  ///< Z_H [T11.17]
-/// Z_B of the pinion and Z_D of the wheel. Z_D is 1 for an internal wheel. The factors are infinite
-/// if single pair contact reaches a base circle, where the radius of curvature is 0. [T11.18]
+/// Returns Z_B of the pinion and Z_D of the wheel. Z_D is 1 for an internal wheel. The factors are
+/// infinite if single pair contact reaches a base circle, where the radius of curvature is 0.
+/// [T11.18]
 FactorPair single_contact_factors(const RatedPair& pair);
 Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  √(N/mm²) [T11.19]
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
@@ -36,12 +37,12 @@ struct Film {
 Factor lubricant_factor(const Film& film);                         ///< Z_L [T11.23]
 Factor velocity_factor(const Film& film);                          ///< Z_v [T11.24]
 Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11.25]
-/// Z_W of each gear; greater than 1 only for the softer gear. [T11.26]
+/// Returns Z_W of each gear. Z_W can be greater than 1 for the softer gear only. [T11.26]
 FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Material, 2>& materials,
                                   const Film& film);
 
-/// Nominal contact stress σ_H0, N/mm² [T11.16], due to the tangential force F_t in N. `Z` is the
-/// product of the Z factors.
+/// Returns the nominal contact stress σ_H0, N/mm² [T11.16], due to the tangential force F_t in N.
+/// `Z` is the product of the Z factors.
 double nominal_contact_stress(const RatedPair& pair, double tangential_force, double Z);
 
 }  // namespace gearwright

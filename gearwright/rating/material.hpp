@@ -34,13 +34,13 @@ enum class MaterialKind {
   plastic              ///< rated by VDI 2736 only
 };
 
-/// The names of the kinds in a spec, in the order of the enumerators.
+/// Returns the names of the kinds in a spec, in the order of the enumerators.
 std::span<const std::string_view> material_kind_words();
 std::string_view material_letters(MaterialKind kind);
 
 /// Pairs of temperature, °C, and value, N/mm², by ascending temperature.
 using ByTemperature = std::vector<std::array<double, 2>>;
-/// The value at a temperature, by linear interpolation. None outside the range of the list.
+/// Returns the value at a temperature by linear interpolation, or none outside the list.
 std::optional<double> at_temperature(const ByTemperature& list, double celsius);
 
 struct Material {
@@ -66,8 +66,8 @@ struct Material {
   }
 };
 
-/// A material of this kind with the usual elasticity and density of the kind, but without strength
-/// values. None for a plastic, whose elasticity and density depend on its grade.
+/// Returns a material of this kind with the usual elasticity and density of the kind, but without
+/// strength values. Returns none for a plastic, whose elasticity and density depend on its grade.
 std::optional<Material> material_of_kind(MaterialKind kind);
 
 struct NamedMaterial {
@@ -92,15 +92,15 @@ struct Limits {
 };
 std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 
-/// The material of the table with this name, at the given hardness or, if none is given, at its
-/// usual hardness.
+/// Returns the material of the table with this name, at the given hardness or, if none is given, at
+/// its usual hardness.
 ///
 /// None      if the name is not in the table, or if the hardness is outside the range of
 ///           limits_of()
 std::optional<Material> material_named(std::string_view name,
                                        std::optional<double> hardness_HV = std::nullopt);
 
-// Life factors: the increase of strength for fewer load cycles.
+// Life factors are the increase of strength for fewer load cycles.
 //
 //   N_L   load cycles           Z_NT, Y_NT   life factors of flank and root, for test conditions
 //
@@ -110,9 +110,9 @@ std::optional<Material> material_named(std::string_view name,
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< exponent of factors such as Z_L, which apply to the reference number of
-                     ///< cycles: 0 for static stress, 1 from the reference number of cycles on,
-                     ///< linear in log N between the two
+  double reference;  ///< exponent of factors such as Z_L that apply to the reference number of
+                     ///< cycles. It is 0 for static stress, linear in log N up to this number, and
+                     ///< then 1
 };
 
 struct LifeChoice {
@@ -120,13 +120,13 @@ struct LifeChoice {
   double at_10_10 = 0.85;        ///< Z_NT, Y_NT at 10¹⁰ cycles, 0.85 … 1
 };
 
-/// The life factor of the flank. Without `cycles`, it is 1, the factor at the reference number.
+/// Returns the life factor of the flank. Without `cycles`, it is 1, as at the reference number.
 ///
 /// Formula   [T11.41]; ISO 6336-2, clause 10; confirmed at 10⁹ and 10¹⁰ by printed reports
 /// Law       the factor is continuous and does not increase with N
 Life flank_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});
 
-/// The life factor of the root. Without `cycles`, it is 1, the factor at the reference number.
+/// Returns the life factor of the root. Without `cycles`, it is 1, as at the reference number.
 ///
 /// Formula   [T11.41]; ISO 6336-3, clause 12
 Life root_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});

@@ -65,7 +65,7 @@ const char* strength_branch(const Material& m, const ByTemperature& list) {
   return list.empty() ? "as given, for this life and temperature" : "as given, at its temperature";
 }
 
-// The temperatures of the teeth, as given or computed.
+// Returns the temperatures of the teeth, as given or computed.
 //
 // Formula   [T11.43]; power in W, pitch line velocity in m/s
 // Domain    either both tooth temperatures are given, or the ambient temperature and the

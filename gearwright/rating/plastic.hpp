@@ -1,4 +1,4 @@
-// Rating of plastic gears by VDI 2736, part 2: root and flank at the temperatures of the teeth.
+// Rates root and flank of plastic gears at the temperatures of the teeth by VDI 2736, part 2.
 //
 //   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   ambient temperature, °C
 //   H_V           degree of tooth loss                     μ     coefficient of friction
@@ -38,7 +38,7 @@ struct ToothTemperatures {
   FactorPair flank, root;
 };
 
-/// H_V of a pair, from its partial contact ratios.
+/// Returns H_V of a pair, computed from its partial contact ratios.
 ///
 /// Formula   [T11.44]
 double tooth_loss(const RatedPair& pair);
@@ -47,7 +47,8 @@ struct RatingInput;
 struct Rating;
 
 std::vector<Error> missing_plastic_inputs(const RatingInput& input);
-/// Rates a pair by VDI 2736; called by rate(). The result is in the order pinion, wheel.
+/// Rates a pair by VDI 2736. rate() calls this function. The values of the result are in the order
+/// pinion, wheel.
 ///
 /// Formula   [T11.45]…[T11.47]
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& input);

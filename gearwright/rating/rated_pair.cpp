@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The tool that determines the root of a gear. If an internal gear has no given cutter,
+// Returns the tool that determines the root of a gear. If an internal gear has no given cutter,
 // gear/pinion_cut.hpp has chosen a default cutter, which has no profile shift and the tip rounding
 // of the gear's rack. For a given cutter, the profile shift is computed from the generating centre
 // distance, and the tip rounding is the rounding of the cutter's tip corners.

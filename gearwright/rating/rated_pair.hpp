@@ -69,10 +69,10 @@ struct RatedPair {
 
   bool spur() const { return beta == 0.0; }
   double epsilon_gamma() const { return epsilon_alpha + epsilon_beta; }
-  /// The width that carries the load, 2 b_B for double-helical gears. [ISO 6336-1, 4.2]
+  /// Returns the width that carries the load, 2 b_B for double-helical gears. [ISO 6336-1, 4.2]
   double carrying_width() const { return halves * face_width; }
   double epsilon_alpha_n() const;
-  /// The index in `gears` of gear 1 or 2 of the spec.
+  /// Returns the index in `gears` of gear 1 or 2 of the spec.
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
 };
 
@@ -82,11 +82,11 @@ std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
   return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;
 }
 
-/// Virtual number of teeth z_n = z/(cos² β_b cos β), in both editions.
+/// Returns the virtual number of teeth z_n = z/(cos² β_b cos β) of both editions.
 ///
 /// Formula   ISO 6336-3, 6.2; confirmed to six digits by ISO/TR 6336-30, example 1
 double virtual_teeth(int teeth, double beta, double beta_b);
-/// The inputs of a mounted pair.
+/// Returns the inputs of a mounted pair.
 ///
 /// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` if the usable flanks do not
 ///           meet, `gear1.rack` for circular-arc teeth
@@ -105,7 +105,7 @@ struct Tolerances {
   double f_pt, f_pb, f_falpha, f_Hbeta;  ///< µm
 };
 
-/// The edition of ISO 1328-1 that an edition of ISO 6336 uses.
+/// Returns the edition of ISO 1328-1 that an edition of ISO 6336 uses.
 FlankTolerances tolerance_edition(RatingEdition edition);
 
 /// Formula   flank_tolerances() for tolerance_edition()

@@ -300,7 +300,7 @@ std::optional<Error> two_halves_error(const RatedPair& pair, const RatingInput& 
                "gears give rating.face_load_factor"};
 }
 
-// The error of an absent torque or material. User interfaces check both before they call rate().
+// Returns the error of an absent torque or material. Interfaces check both before rate().
 std::optional<Error> torque_or_strength_error(const RatingInput& in) {
   if (!(in.torque > 0.0))
     return refused("rating.torque", in.torque, "must be > 0 N m, the torque on gear 1");

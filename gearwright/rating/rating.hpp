@@ -1,4 +1,4 @@
-// Strength of a pair by ISO 6336, method B: all factors, stresses and safety factors.
+// Computes all factors, stresses and safety factors of a pair by ISO 6336, method B.
 //
 //   const auto pair = rated_pair(mounted);
 //   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
@@ -83,8 +83,8 @@ struct Rating {
   std::vector<Warning> limits;                   ///< limits of the standard that this pair exceeds
 };
 
-/// The error of rate() for missing inputs and for a grade that the edition of ISO 1328-1 does not
-/// have. This error does not depend on the pair.
+/// Returns the error of rate() for missing inputs and for a grade that the edition of ISO 1328-1
+/// does not have. This error does not depend on the pair.
 std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 /// Formula   [T11.1], [T11.22], [T11.40]
 /// Errors    `rating.torque` if it is not > 0; `gearN.material` if it has no strength;
@@ -101,10 +101,9 @@ std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 ///               gear 1, the numbers do not change
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 
-// The missing inputs of a rating, as a list. User interfaces add missing loads and materials to
-// this list.
+// The missing inputs of a rating. Interfaces add missing loads and materials to this list.
 
-/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears,
+/// Returns the errors that missing_input() joins into one. `halves` is 2 for double-helical gears,
 /// whose face load factor is not computed from a mounting.
 std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
 

@@ -291,8 +291,8 @@ TEST(RatingLaws, StressesFollowTheTorque) {
   EXPECT_DOUBLE_EQ(twice.sigma_H0.value, std::sqrt(2.0) * once.sigma_H0.value);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_DOUBLE_EQ(twice.sigma_F0[i].value, 2 * once.sigma_F0[i].value);
-    // Load factors decrease as the load increases, so the stresses increase by less, but they do
-    // increase.
+    // Load factors decrease as the load increases, so the stresses increase, but by less than the
+    // load.
     EXPECT_GT(twice.sigma_F[i].value, once.sigma_F[i].value);
     EXPECT_LT(twice.sigma_F[i].value, 2 * once.sigma_F[i].value);
     EXPECT_LT(twice.S_H[i].value, once.S_H[i].value);

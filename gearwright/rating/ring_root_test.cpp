@@ -1,5 +1,5 @@
-// The root of gears cut by pinion cutters: ρ_F, which the tip corners of the cutter determine, is
-// compared with a printed report and with the outline.
+// The tip corners of a pinion cutter determine ρ_F of the gears that it cuts. This ρ_F is compared
+// with a printed report and with the outline.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -17,7 +17,7 @@ constexpr double kRoughest = 40.0;  // µm, upper limit of Rz in clause 14.3 of 
 
 double rack_fillet(const RootTool& tool) { return tool.fillet; }
 
-// ρ_fPv*, the tip rounding of the rack that is equivalent to a pinion cutter. [ISO 6336-3, 6.2]
+// Returns ρ_fPv*, the tip rounding of the rack equivalent to a pinion cutter. [ISO 6336-3, 6.2]
 double virtual_fillet(const RootTool& tool) {
   if (tool.cutter_teeth == 0) return tool.fillet;
   const double reach = tool.cutter_shift + tool.dedendum - tool.fillet;
@@ -33,7 +33,7 @@ struct Tangent {
   double (*fillet)(const RootTool&);  // ρ_fP* or ρ_fPv*
 };
 
-// Clause 9: Y_B = rise ln(at/s) for s < thick, where s is the rim thickness relative to `unit`.
+// Clause 9 gives Y_B = rise ln(at/s) if s < thick, with the rim thickness s relative to `unit`.
 struct RimRule {
   double (*unit)(double normal_module, double tooth_height);
   double least, thick, rise, at;
@@ -196,8 +196,7 @@ Factor notch_sensitivity_factor(const Material& material, const CriticalSection&
     std::size_t i = 1;
     while (i + 1 < line.size() && re > line[i].strength) ++i;
     const double share = (re - line[i - 1].strength) / (line[i].strength - line[i - 1].strength);
-    // The thickness of the layer varies over powers of ten, so its logarithm is interpolated
-    // linearly.
+    // The layer thickness varies over powers of ten, so its logarithm is interpolated linearly.
     return line[i - 1].thickness * std::pow(line[i].thickness / line[i - 1].thickness, share);
   };
   constexpr std::array kTempered{Layer{500, 0.0281}, Layer{600, 0.0194}, Layer{800, 0.0064},

@@ -31,33 +31,34 @@ struct CriticalSection {
   double q_s;        ///< s_Fn/(2 ρ_F)
 };
 
-/// The critical section of a gear in the normal plane, from the rack that cut it (x_E, ρ_fP*,
-/// h_fP*, s_pr*). For an internal gear, the equivalent radius ρ_fPv represents its pinion cutter.
+/// Returns the critical section of a gear in the normal plane, from the rack that cut it (x_E,
+/// ρ_fP*, h_fP*, s_pr*). For an internal gear, the equivalent radius ρ_fPv represents its pinion
+/// cutter.
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
 /// None      if no tangent at 30° (60°) touches the fillet
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 
-/// The effective face width of a root, mm. If the gear is wider than the common face width, at most
-/// one module of the excess counts at each end.
+/// Returns the effective face width of a root, mm. If the gear is wider than the common face width,
+/// at most one module of the excess counts at each end.
 double root_face_width(const RatedPair& pair, const RatedGear& gear);
 
-/// Y_F [T11.32]. In the edition of 2019 it includes the load distribution factor f_ε.
+/// Returns Y_F [T11.32]. In the edition of 2019, Y_F includes the load distribution factor f_ε.
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]
 Factor root_helix_factor(RatingEdition edition, const RatedPair& pair);  ///< Y_β [T11.34]
-/// The rim thickness above which Y_B is defined: 0.5 h or, for an internal gear, 1.75 m_n.
+/// The rim thickness above which Y_B is defined, 0.5 h or, for an internal gear, 1.75 m_n.
 struct LeastRim {
   double thickness;   ///< mm
   const char* words;  ///< "half the tooth height"
 };
 LeastRim least_rim(double side, double normal_module, double tooth_height);
-/// Y_B [T11.35] for a rim thickness `rim` in mm. Without `rim`, the rim counts as thick enough.
+/// Returns Y_B [T11.35] for a rim thickness `rim` in mm. Without `rim`, the rim is thick enough.
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim);
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade);  ///< Y_DT [T11.36]
 
-/// Y_δrelT [T11.37] and Y_RrelT [T11.38] at the reference number of cycles.
+/// Return Y_δrelT [T11.37] and Y_RrelT [T11.38] at the reference number of cycles.
 Factor notch_sensitivity_factor(const Material& material, const CriticalSection& section);
 Factor surface_factor(const Material& material, std::optional<double> Rz);
 Factor root_size_factor(const Material& material, double normal_module);  ///< Y_X [T11.39]

@@ -18,7 +18,7 @@ bool safe(const RatedPair& pair, const RatingInput& input, const Safeties& wante
   return r && holds(*r, wanted);
 }
 
-// The least of the four safety factors, each relative to its required value.
+// Returns the least of the four safety factors, each relative to its required value.
 double share_of_wanted(const Rating& r, const Safeties& wanted) {
   double share = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 2; ++i) {
@@ -73,11 +73,10 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
   // In general, safety factors increase with the width. They drop where a tolerance reaches its
   // next step, so the sufficient widths may form several ranges. If a safety factor at the width b
-  // is s < 1 times its required value, every greater sufficient width is at least b s^(−1/kPower).
-  // The search continues at this width. Sufficient widths can be missed only if they lie within a
-  // single step of kLeastStep.
-  // Safety factors grow at most like b⁴: like b because of the load, and like b³ because of overlap
-  // and load factors.
+  // is s < 1 times its required value, every greater sufficient width is at least b s^(−1/kPower),
+  // and the search continues at this width. It misses sufficient widths only within a single step
+  // of kLeastStep. Safety factors grow at most like b⁴: like b because of the load, and like b³
+  // because of overlap and load factors.
   constexpr double kPower = 4.0;
   constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths may be missed
   constexpr double kBlind = 1.001;     // relative step if there is no rating at this width

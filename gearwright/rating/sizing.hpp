@@ -1,5 +1,4 @@
-// Inverse problems of the rating: the torque, the face width or the steel with sufficient safety
-// factors.
+// Finds the torque, the face width or the steel with which the safety factors are sufficient.
 //
 // Load factors depend on the load and on the face width, so there is no closed form. The functions
 // rate the pair repeatedly within a bracket. Each returned value has itself been rated.
@@ -14,8 +13,8 @@
 
 namespace gearwright {
 
-/// The required safeties S_Hmin and S_Fmin, or the safeties of a pair: S_H and S_F, each the
-/// smaller value of its two gears.
+/// Either the required safeties S_Hmin and S_Fmin, or the safeties S_H and S_F of a pair, which are
+/// the smaller values of its two gears.
 struct Safeties {
   double flank = 1.0, root = 1.0;
 };
@@ -23,21 +22,21 @@ struct Safeties {
 /// True if flank and root of both gears have the required safety factors.
 bool holds(const Rating& rating, const Safeties& wanted);
 
-/// The greatest torque on gear 1 with the required safety factors, N m. None if there is no such
-/// torque between 1e-6 and 1e6 times the torque of the input.
+/// Returns the greatest torque on gear 1 with the required safety factors, N m. Returns none if
+/// there is no such torque between 1e-6 and 1e6 times the torque of the input.
 ///
 /// Accuracy  1e-9, relative
 /// Law       safety factors decrease as the torque increases
 std::optional<double> torque_of_safety(const RatedPair& pair, const RatingInput& input,
                                        const Safeties& wanted);
-/// The pair with another common face width, mm, and the corresponding overlap ratio.
+/// Returns the pair with another common face width, mm, and the corresponding overlap ratio.
 RatedPair with_face_width(RatedPair pair, double face_width);
 
 /// The greatest face width of the search, in modules.
 constexpr double kMostFaceModules = 40.0;
 
-/// The least common face width with the required safety factors, mm. None if there is no such width
-/// from one module up to `most`.
+/// Returns the least common face width with the required safety factors, mm. Returns none if there
+/// is no such width from one module up to `most`.
 ///
 /// Accuracy  1e-7, relative. Safety factors decrease where a tolerance reaches its next step, so
 ///           the sufficient widths may form several ranges. A range narrower than 1e-4 of the width
@@ -47,7 +46,7 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 /// Alternative steels of the table, the weakest first.
 inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
                                                                    "31CrMoV9", "17CrNiMo6"};
-/// The weakest of these steels that makes the safety factors sufficient if it replaces the
+/// Returns the weakest of these steels that makes the safety factors sufficient if it replaces the
 /// material of the gears whose safety factors are too low.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const Safeties& wanted);

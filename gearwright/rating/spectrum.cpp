@@ -23,7 +23,7 @@ struct Strength {
     const Life life = flank ? flank_life(kind, cycles, choice) : root_life(kind, cycles, choice);
     return basic * life.factor.value * std::pow(reference / basic, life.reference);
   }
-  // N(σ), which is infinite below the strength at 10¹⁰ cycles and 0 above the static strength.
+  // Returns N(σ), infinite below the strength at 10¹⁰ cycles and 0 above the static strength.
   double cycles(double stress, const LifeChoice& choice) const {
     if (stress <= at(kLastCycles, choice)) return kInfinity;
     double lo = 0.0, hi = std::log10(kLastCycles);

@@ -1,4 +1,4 @@
-// A load spectrum: the damage of each load step, and the safety of the whole spectrum.
+// Computes the damage by each step of a load spectrum, and the safety factors of the spectrum.
 //
 //   n_i   cycles of step i        N_i(σ)  permissible cycles at the stress σ
 //   U     damage Σ n_i/N_i, 1 at failure (Miner)
@@ -31,7 +31,7 @@ struct SpectrumRating {
   std::array<double, 2> S_H, S_F;
 };
 
-/// The input of a rating under one step of the load, with K_A = 1 and without a life.
+/// Returns the input of a rating under one step of the load, with K_A = 1 and without a life.
 RatingInput input_of(const LoadBin& step, RatingInput input);
 
 /// Formula   [T11.42]; ISO 6336-6, Miner's rule

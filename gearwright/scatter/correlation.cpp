@@ -31,7 +31,7 @@ Matrix matrix_of(std::size_t size, std::span<const ToleranceCorrelation> correla
   return r;
 }
 
-// L of R = L Lᵀ; none if R is not positive definite. [T14.30]
+// Returns L of R = L Lᵀ, or none if R is not positive definite. [T14.30]
 std::optional<Matrix> cholesky(const Matrix& r) {
   const std::size_t size = r.size();
   Matrix l(size, std::vector<double>(size));
@@ -46,7 +46,7 @@ std::optional<Matrix> cholesky(const Matrix& r) {
   return l;
 }
 
-// The matrix with two of its rows, and the same two columns, moved to the end.
+// Returns the matrix with two of its rows, and the same two columns, moved to the end.
 Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < r.size(); ++i)
@@ -58,9 +58,9 @@ Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   return moved;
 }
 
-// The range of c in which R is positive definite if all other correlations stay the same; none if
-// there is no such range. The rows of the two inputs are moved to the end of R, so that c affects
-// only the last row of L. The last pivot is positive within the range.
+// Returns the range of c in which R is positive definite if all other correlations stay the same,
+// or none if there is no such range. The rows of the two inputs are moved to the end of R, so that
+// c affects only the last row of L. The last pivot is positive within the range.
 std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
   Matrix m = with_last(r, c.first, c.second);
   const std::size_t n = m.size();
@@ -91,7 +91,7 @@ double nearest_inside(double value, const std::array<double, 2>& range) {
   return std::clamp(value, std::min(lo, hi), std::max(lo, hi));
 }
 
-// The greatest multiple of kStep by which all correlations can be multiplied so that R is
+// Returns the greatest multiple of kStep by which all correlations can be multiplied so that R is
 // positive definite.
 double common_factor(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
   double factor = 1.0;
@@ -105,7 +105,7 @@ double common_factor(std::size_t size, std::span<const ToleranceCorrelation> cor
   return factor;
 }
 
-// For each coordinate, the index of its tolerance.
+// Returns the index of the tolerance of each coordinate.
 std::vector<std::size_t> owners_of(std::span<const ScatterTolerance> tolerances) {
   std::vector<std::size_t> owner;
   for (std::size_t t = 0; t < tolerances.size(); ++t)

@@ -1,4 +1,4 @@
-// Correlated inputs of a family, by a Gaussian copula.
+// Correlates the inputs of a family by a Gaussian copula.
 //
 //   u′   independent coordinates in the unit cube       s = Φ⁻¹(u)   scores
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
@@ -38,7 +38,7 @@ struct ToleranceCorrelation {
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations);
 
-/// Sets of at least two tolerances that are connected by correlations other than 0.
+/// Returns the sets of at least two tolerances that are connected by correlations other than 0.
 std::vector<std::vector<std::size_t>> correlated_blocks(
     std::span<const ScatterTolerance> tolerances,
     std::span<const ToleranceCorrelation> correlations);
@@ -55,8 +55,8 @@ class Copula {
   std::vector<double> correlated(std::vector<double> u) const;
 
  private:
-  // A correlated coordinate. Its score is a weighted sum of independent scores: its own score and
-  // the scores of earlier coordinates.
+  // A correlated coordinate. Its score is a weighted sum of its own independent score and those of
+  // earlier coordinates.
   struct Row {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L
@@ -64,7 +64,7 @@ class Copula {
   double score(std::span<const double> u, std::size_t coordinate) const;
 
   std::vector<Row> rows_;
-  // For each coordinate of a bore, the first coordinate of this bore; none for other coordinates.
+  // For each coordinate of a bore, the first coordinate of this bore, and none for all others.
   std::vector<std::optional<std::size_t>> disc_;
 };
 

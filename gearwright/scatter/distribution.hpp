@@ -34,10 +34,10 @@ class Distribution {
   ///           range; `shape` ≤ 0. A range with l = h is valid, but the number does not vary
   static Result<Distribution> of(const DistributionSpec& spec);
 
-  /// F⁻¹(u), the inverse of the distribution function.   Formula [T14.1]
+  /// Returns F⁻¹(u), the inverse of the distribution function.   Formula [T14.1]
   /// Domain    0 < u < 1 (contract)
   double at(double u) const;
-  /// Mean and variance, in closed form.
+  /// Returns mean and variance in closed form.
   Moments moments() const;
 
   double least() const { return spec_.range[0]; }
@@ -52,7 +52,7 @@ class Distribution {
   double from_ = 0.0, to_ = 0.0;     // distribution function before truncation, at l and h
 };
 
-/// The two coordinates of a point in a disc, from two numbers in (0, 1).   Formula [T14.2]
+/// Converts two numbers in (0, 1) to the coordinates of a point in a disc.   Formula [T14.2]
 std::array<double, 2> in_disc(double radius, double u, double v);
 
 }  // namespace gearwright

@@ -15,7 +15,7 @@ namespace {
 constexpr int kHeights = 33;                                         // over the face
 constexpr double kBeyond = std::numeric_limits<double>::infinity();  // exceeds any value
 
-// Heights over the face of gear 1, or over the common face if the axes are parallel.
+// Returns heights over the face of gear 1 or, if the axes are parallel, over the common face.
 std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   double lo = -kBeyond;
   double hi = kBeyond;
@@ -36,8 +36,9 @@ std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   return heights;
 }
 
-// The maximum of a curve through equidistant values. If the greatest value is not at an end, the
-// result is the maximum of the parabola through this value and the two neighbouring values.
+// Returns the maximum of a curve through equidistant values. If the greatest value is not at an
+// end, the result is the maximum of the parabola through this value and the two neighbouring
+// values.
 double greatest_of(const std::vector<double>& v) {
   const auto at = static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   if (at == 0 || at + 1 == v.size()) return v[at];
@@ -54,8 +55,8 @@ Branches::const_iterator leader(const Branches& all) {
                           [](const auto& x, const auto& y) { return x.second < y.second; });
 }
 
-// The least TE between two positions if every branch is linear between them. TE is least at one of
-// the positions, or where the branches that lead at the two positions cross.
+// Returns the least TE between two positions if every branch is linear between them. TE is least at
+// one of the positions, or where the branches that lead at the two positions cross.
 double least_between(const Branches& a, const Branches& b) {
   const auto first = leader(a), second = leader(b);
   const double least = std::min(first->second, second->second);
@@ -66,8 +67,8 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// True if the field of a member differs from the field of the nominal pair. Topographies are not
-// compared, because they are always equal.
+// True if the field of a member differs from the field of the nominal pair. Topographies are always
+// equal and need no comparison.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
   return member.waves() != drawn.waves() || member.amounts() != drawn.amounts();
 }

@@ -7,9 +7,9 @@
 //   ΔC     material removed from the member at place i minus material removed from the nominal pair
 //   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC       theory: docs/theory/14-scatter.md, [T14.26]
 //
-// T at a fixed place is nearly linear in the errors (section 14.5). Only T is linearised, and TE is
-// the greatest T over all places. As in the exact computation, the contact can therefore move along
-// the face, edges can begin to touch, and another tooth pair can come into contact.
+// T at a fixed place is nearly linear in the errors (section 14.5). Only T is linearised. TE is the
+// greatest of the linearised T over all places, so the contact can move along the face, edges can
+// begin to touch, and another tooth pair can come into contact.
 #pragma once
 
 #include <array>
@@ -23,13 +23,13 @@ namespace gearwright {
 
 class LinearFamily {
  public:
-  /// None if the nominal pair loses contact at some position.
+  /// Prepares the estimate. Returns none if the nominal pair loses contact at some position.
   ///
   /// Domain    request.positions ≥ 2 (contract)
   static std::optional<LinearFamily> of(const ContactSetup& setup, const MemberRequest& request);
 
-  /// Peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle of a cutter
-  /// have no effect.
+  /// Returns the peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle
+  /// of a cutter have no effect.
   ///
   /// Accuracy  T_i is exact to the first order in the deviation
   /// Laws      (1) without a deviation, the result equals continuous_peak_to_peak()   (2) for small
@@ -62,8 +62,8 @@ class LinearFamily {
   double correction_ = 0.0;
 };
 
-/// First-order estimates of the peak-to-peak TE, rad, for the first `count` samples of the first
-/// replicate of a task.
+/// Returns first-order estimates of the peak-to-peak TE, rad, for the first `count` samples of the
+/// first replicate of a task.
 ///
 /// Errors    as scatter_of(); nothing_touches() if the nominal pair loses contact
 Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,

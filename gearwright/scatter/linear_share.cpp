@@ -64,7 +64,6 @@ std::vector<Probes> probes_of(const ScatterTask& task) {
   return all;
 }
 
-// True if the teeth exist at every probe.
 bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
   std::vector<ScatterTolerance> narrow;
   for (ScatterTolerance t : task.tolerances) {
@@ -75,8 +74,8 @@ bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
   return !check_ends(setup, narrow);
 }
 
-// ∂f/∂x for one coordinate. None if f has a kink at x = 0, if f has no value at a probe, or if
-// a tolerance without derivatives changes f.
+// Returns ∂f/∂x for one coordinate. Returns none if f has a kink at x = 0, if f has no value at a
+// probe, or if a tolerance without derivatives changes f.
 std::optional<double> slope_of(const Probes& probes, double drawn, std::size_t quantity,
                                double deviation) {
   std::vector<double> f;

@@ -18,8 +18,9 @@ namespace gearwright {
 
 /// The gradient g of each quantity, in the unit of the quantity per user's unit of x. A quantity
 /// without a value or a derivative at the nominal pair has no gradient. At x = 0, the members are
-/// not continuous in the coordinates of waves and pitches, so a quantity that varies with these has
-/// no gradient. For all other quantities, the derivatives with respect to these coordinates are 0.
+/// not continuous in the coordinates of waves and pitches. A quantity that varies with such a
+/// coordinate has no gradient. For any other quantity, the derivative with respect to such a
+/// coordinate is 0.
 ///
 /// `deviation` contains the standard deviation of each quantity. A kink of a quantity at x = 0
 /// is ignored if it explains at most 0.5 % of the variance.
@@ -29,8 +30,8 @@ using QuantityGradients = std::array<std::optional<std::vector<double>>, kScatte
 QuantityGradients gradients_as_drawn(const ContactSetup& setup, const ScatterTask& task,
                                      const std::array<double, kScatterQuantities>& deviation);
 
-/// The linear share of each quantity, over the samples in which the quantity has a value. None if
-/// the quantity has no gradient or does not vary.
+/// Returns the linear share of each quantity, over the samples in which the quantity has a value.
+/// Returns none if the quantity has no gradient or does not vary.
 ///
 /// Laws      (1) a quantity that is linear in x has the share 1   (2) a quantity that is even in
 ///           every input and has a derivative has the share 0

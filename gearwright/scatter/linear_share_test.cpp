@@ -104,9 +104,9 @@ TEST(LinearShare, OfALinearQuantityIsOne) {
   EXPECT_NEAR(*share, 1.0, 1e-4);
 }
 
-// TE of lead-crowned spur gears is TE_0 − sin α ΔC/r_b2 + q Δγ², where q = cos²α b²/(16 C r_b2),
-// because the greatest value of cos α Δγ z − 4 C z²/b² over z is cos²α Δγ² b²/(16 C). The variance
-// of Δγ² with Δγ uniform over ±w is 4w⁴/45.
+// TE of lead-crowned spur gears is TE_0 − sin α ΔC/r_b2 + q Δγ² with q = cos²α b²/(16 C r_b2). The
+// greatest value of cos α Δγ z − 4 C z²/b² over z gives q. The variance of Δγ² with Δγ uniform over
+// ±w is 4w⁴/45.
 TEST(LinearShare, OfAnEvenQuantityIsZero) {
   testing::DrawnPair drawn = testing::spur_pair(false);
   drawn.modifications.lead_crowning = 0.008;

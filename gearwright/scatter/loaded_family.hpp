@@ -20,13 +20,13 @@ struct LoadedSide {
   std::shared_ptr<const ContactPair> pair;
   LoadRequest request;
 };
-/// The pair of a member with these errors. For a double-helical pair, the half at z > 0 and the
-/// mirror image of the other half are returned. If both are equal, the mirror image is omitted.
+/// Returns the pair of a member with these errors. For a double-helical pair, the half at z > 0 and
+/// the mirror image of the other half are returned. If both are equal, the mirror image is omitted.
 std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
                                      const MemberRequest& member, const LoadedFamily& load);
 
-/// The scores of the members at the points `x`. Each member has a list with one score for each
-/// torque. The list is empty if the forces on this member have no solution at some position.
+/// Returns the scores of the members at the points `x`. Each member has a list with one score for
+/// each torque. The list is empty if the forces on this member have no solution at some position.
 ///
 /// Accuracy  as loaded_contact() for each member
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
@@ -34,16 +34,16 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
                                                         const LoadedFamily& load,
                                                         const std::vector<std::vector<double>>& x);
 
-/// The peak-to-peak TE of each member under the worst torque, rad; none without scores.
+/// Returns the peak-to-peak TE of each member under the worst torque, rad, or none without scores.
 SampleValues loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores);
 
-/// Statistics of `scores`, which are stored replicate by replicate. Percentile::sample is an index
-/// of `scores`.
+/// Returns statistics of `scores`, which are stored replicate by replicate. Percentile::sample is
+/// an index of `scores`.
 std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
                                              const std::vector<std::vector<LoadedScore>>& scores);
 
-/// The spreads for each torque of task.load, from the first task.load->samples samples of each
-/// replicate.
+/// Returns the spreads for each torque of task.load, from the first task.load->samples samples of
+/// each replicate.
 ///
 /// Domain    task.load is given; `samples` come from scatter_of() (contract)
 /// Accuracy  as loaded_contact() for each member

@@ -9,8 +9,8 @@
 
 namespace gearwright {
 
-/// The effect of each tolerance if all others stay the same. To make a tolerance s times as wide,
-/// its coordinates x are multiplied by s in the samples of the first replicate.
+/// Returns the effect of each tolerance if all others stay the same. To make a tolerance s times as
+/// wide, its coordinates x are multiplied by s in the samples of the first replicate.
 ///
 /// Accuracy  Change::factor is at most 1 % below the smallest s for which P(s) exceeds the limit.
 ///           This s is searched on a grid and refined by halving. Because P(s) is computed from

@@ -72,7 +72,8 @@ class FlankTouches {
   }
 
   double turned() const { return pairs_[0]->turned(); }
-  // TE in the frame N; for a double-helical pair, the mean of both halves. None without contact.
+  // Returns TE in the frame N or, for a double-helical pair, the mean TE of both halves. Returns
+  // none without contact.
   std::optional<double> te(std::size_t position) const {
     double sum = 0.0;
     for (const auto& touches : touches_) {
@@ -81,8 +82,8 @@ class FlankTouches {
     }
     return sum / static_cast<double>(touches_.size());
   }
-  // The score of the member. `along_face` and `along_profile` are each taken from the half in which
-  // their magnitude is greater. `edge_share` is the mean of both halves.
+  // Returns the score of the member. `along_face` and `along_profile` are each taken from the half
+  // in which their magnitude is greater. `edge_share` is the mean of both halves.
   ContactScore score(const ProfileTarget& profile) {
     ContactScore worst;
     double edges = 0.0;
@@ -94,7 +95,7 @@ class FlankTouches {
     worst.edge_share = edges / static_cast<double>(touches_.size());
     return worst;
   }
-  // Peak to peak of the continuous curve; none if contact is lost.
+  // Returns the peak to peak of the continuous curve, or none if contact is lost.
   std::optional<double> span() {
     for (std::size_t i = 0; i < touches_[0].size(); ++i)
       if (!te(i)) return std::nullopt;
@@ -111,8 +112,8 @@ class FlankTouches {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };
     return long_period_span(transmissions_[0], touches_[0], {teeth(1), teeth(2)}, deviation.pitch);
   }
-  // The derivative of span(). Domain: span() has been called and is > 0; not for double-helical
-  // pairs (contract)
+  // Returns the derivative of span(), which must have been called before and must be > 0. The pair
+  // must not be double-helical.
   double slope(const Influence& by) { return span_slope(transmissions_[0], *extremes_, by); }
 
  private:

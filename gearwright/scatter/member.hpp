@@ -69,17 +69,17 @@ class MemberSetup {
   std::optional<ContactSetup> own_;
 };
 
-/// The reduction of the backlash by thicker teeth, as an angle of gear 2, rad.
+/// Returns the reduction of the backlash by thicker teeth, as an angle of gear 2, rad.
 ///
 /// Formula   [T14.13], exact for involutes
 /// Domain    involute teeth, or no change (contract)
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness);
 
-/// The numbers of the member with this deviation. For a double-helical pair, TE and backlash
-/// describe the whole gears, one of which floats along its axis. Errors of mounting apply to both
-/// halves, and deviations of the teeth are the same on both halves. `edge_share` is the mean of
-/// both halves. `along_face` and `along_profile` are each taken from the half with the greater
-/// magnitude, and `along_face` is > 0 away from the apex.
+/// Returns the numbers of the member with this deviation. For a double-helical pair, TE and
+/// backlash describe the whole gears, one of which floats along its axis. Errors of mounting apply
+/// to both halves, and deviations of the teeth are the same on both halves. `edge_share` is the
+/// mean of both halves. `along_face` and `along_profile` are each taken from the half with the
+/// greater magnitude, and `along_face` is > 0 away from the apex.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a
 ///           double-helical pair (contract)

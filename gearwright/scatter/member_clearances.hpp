@@ -18,14 +18,14 @@ struct MemberClearances {
   std::array<std::optional<double>, 2> tip, form;
 };
 
-/// The clearances of a pair with this centre distance and these thicknesses. Tilts of the axes
-/// do not change the clearances.
+/// Returns the clearances of a pair with this centre distance and these thicknesses. Tilts of the
+/// axes do not change the clearances.
 ///
 /// Formula   [T14.31]
-/// None      if the nominal axes cross, if the teeth are not involutes, or if there is no
-///           working pressure angle. If the thickness is changed: none if a pinion cutter has cut
-///           the teeth, if their root fillet is circular, or if the cutter determines their tip;
-///           no form clearance if the tooth is undercut
+/// None      if the nominal axes cross, if the teeth are not involutes, or if there is no working
+///           pressure angle. With a changed thickness, also if the teeth are cut by a pinion
+///           cutter, have a circular root fillet, or have a tip that the cutter determines. An
+///           undercut tooth with a changed thickness has no form clearance
 /// Laws      (1) the clearances are equal to those of a new pair with this centre distance and
 ///           these thicknesses
 MemberClearances clearances_of(const ContactSetup& setup, const Deviation& deviation);

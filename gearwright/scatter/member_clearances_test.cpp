@@ -87,8 +87,8 @@ TEST(MemberClearances, RoundedTeethVaryWithTheDistanceOnly) {
   EXPECT_FALSE(thick.form[0]);
 }
 
-// c = c_0 + ΔC + shifts of the roots, a sum of uniform inputs: tip 1 moves away from root 2 by
-// ΔC − ΔE_sn2/(2 tan α_n).
+// c = c_0 + ΔC + shifts of the roots is a sum of uniform inputs. Tip 1 moves away from root 2 by ΔC
+// − ΔE_sn2/(2 tan α_n).
 TEST(MemberClearances, HaveTheDistributionOfTheirSum) {
   const ContactSetup setup = testing::spur_pair(false).setup();
   ScatterTask task;

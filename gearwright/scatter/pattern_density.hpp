@@ -1,12 +1,12 @@
-// The density of contact patterns over a family: the fraction of the members whose pattern covers a
-// point of a flank.
+// Computes the density of contact patterns over a family, which is the fraction of the members
+// whose pattern covers a point of a flank.
 //
 //   δ   thickness of the marking compound, mm
 //                                    theory: docs/theory/14-scatter.md, [T14.27]
 //
-// A sample covers a place if the gap at this place is at most δ at some position of the mesh.
-// After a full mesh of this pair, marking compound of the thickness δ would show at this place. The
-// gap is the exact gap of contact_pattern() at each place, not an approximation by ellipses.
+// A sample covers a place if the gap at this place is at most δ at some position of the mesh. At
+// such a place, marking compound of the thickness δ leaves a mark after a full mesh. The gap is the
+// exact gap of contact_pattern(), not an approximation by ellipses.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ struct PatternDensity {
   std::array<FlankDensity, 2> flanks;  ///< flanks of gear 1 and gear 2
 };
 
-/// The density over the first samples of each replicate of a family. Pitch deviations and
+/// Returns the density over the first samples of each replicate of a family. Pitch deviations and
 /// thicknesses have no effect on the density.
 ///
 /// Accuracy  each sample as contact_pattern(); a share has a sampling error

@@ -5,8 +5,8 @@
 //   ρ, r_b2   least radius of curvature of the touching flanks, base radius of gear 2, mm
 //
 // T + ½Λ|x|² is convex in the deviations x. TE of a flank is the greatest T. The play is minus the
-// sum of TE of the working and the non-working flank, so it is concave up to a term of second
-// order. Up to this term, the play is least at a corner.
+// sum of TE of the working and the non-working flank. The play is therefore concave, except for a
+// term of second order, and except for this term it is least at a corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.29]
 // Internal to scatter/.
 #pragma once
@@ -18,8 +18,8 @@
 
 namespace gearwright {
 
-/// A lower bound of the least play of all members at the positions of the task, rad. The convex
-/// hull of `corners` must contain all x.
+/// Returns a lower bound of the least play of all members at the positions of the task, rad. The
+/// convex hull of `corners` must contain all x.
 ///
 /// Formula   [T14.29]
 /// None      if there is no corner, if the play has no value at a corner, if the pair is internal,

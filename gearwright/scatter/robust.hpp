@@ -25,8 +25,7 @@ struct RobustTask {
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections. Its samples come from another seed than the samples of
-/// the search.
+/// The family without or with corrections. Its samples have another seed than those of the search.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< points x of the samples, in the users' units
   Spread peak_to_peak;                 ///< spread of f, with the minimised percentile only
@@ -35,7 +34,6 @@ struct JudgedFamily {
   Probability lost;                    ///< probability that a sample has no f
   std::vector<LoadedSpread> loaded{};  ///< results for each torque; empty for rigid teeth
 
-  /// The percentile, rad.
   const Percentile& percentile() const { return peak_to_peak.percentiles[0]; }
 };
 

@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-// Greatest numbers of samples: for the search of the whole box, and for all other steps.
+// Greatest numbers of samples in the search of the whole box and in all other steps.
 constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
 constexpr int kPositions = 16;              // per pitch during the search, as in `compensate`
 constexpr double kGain = kSameError.rad();  // smallest gain worth another step
@@ -113,8 +113,8 @@ class LoadSearch {
       if (of) of->positions = std::min(of->positions, kPositions);
   }
 
-  // The best corrections for these samples. The trials near a center use the contact computed at
-  // this center. If the trials are exact, one center is sufficient.
+  // Returns the best corrections for these samples. The trials near a center use the contact
+  // computed at this center. If the trials are exact, one center is sufficient.
   std::vector<double> lowest(const std::vector<std::vector<double>>& places,
                              std::vector<double> center) const {
     using Trials = std::unique_ptr<LoadedTrials>;

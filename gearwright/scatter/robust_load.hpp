@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// The best corrections for the first samples of the family. They are not rounded.
+/// Returns the best corrections for the first samples of the family. They are not rounded.
 ///
 /// Domain    as robust_corrections(), with a load and with the fields that the corrections need
 ///           (contract)

@@ -1,5 +1,5 @@
-// Finds the corrections with the lowest percentile of a quantity over a family, by a search of the
-// box, descents of the mean of the worst samples, and a local search for the percentile.
+// Finds the corrections with the lowest percentile of a quantity over a family. A search of the
+// box, descents of the mean of the worst samples, and a local search follow each other.
 //
 //   v     corrections                       f_k   the quantity of sample k, with the corrections v
 //   p     the percentile, as a fraction     CVaR  mean of the worst 1 − p of all f_k
@@ -40,7 +40,7 @@ struct RobustSearch {
   bool whole_box;  ///< false for a search around the start only
 };
 
-/// The best corrections that the search from `start` finds, or `start` if none of them is
+/// Returns the best corrections that the search from `start` finds, or `start` if none of them is
 /// better. The corrections are not rounded.
 ///
 /// Domain    lo ≤ start ≤ hi of the box (contract)

@@ -25,15 +25,15 @@ class SamplePoints {
   /// The task must outlive the object.
   explicit SamplePoints(const ScatterTask& task);
 
-  /// x of sample n of a replicate, in the users' units.
+  /// Returns x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
-  /// x of sample n of a second set of samples, which is independent of the set of at(). The points
+  /// Returns x of sample n of a second set, which is independent of the samples of at(). The points
   /// of the sequence have twice as many coordinates as x. at() uses the first half of the
   /// coordinates, and this function uses the second half.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }
-  /// x of the first `count` samples of a replicate.
+  /// Returns x of the first `count` samples of a replicate.
   std::vector<std::vector<double>> first(int replicate, int count) const;
 
  private:
@@ -45,13 +45,13 @@ class SamplePoints {
   Copula copula_;
 };
 
-/// The peak to peak of the continuous TE curve, rad, of the member at each of these points x,
-/// with its derivatives with respect to the influences.
+/// Returns the peak to peak of the continuous TE curve, rad, of the member at each of these points
+/// x, with its derivatives with respect to the influences.
 std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& task,
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});
 
-/// The peak-to-peak TE of each member, rad, or kLostSpan if the member loses contact.
+/// Returns the peak-to-peak TE of each member, rad, or kLostSpan if the member loses contact.
 std::vector<double> ranked(const std::vector<MemberSpan>& spans);
 constexpr double kLostSpan = 1e3;  ///< rad, greater than any other value
 

@@ -18,7 +18,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kBlock = 64;  // samples that a thread takes at once
-// A quantity with a smaller standard deviation varies by rounding only.
+// A quantity whose standard deviation is below these limits varies by rounding only.
 constexpr double kRoundingAngle = 1e-12;  // rad
 constexpr double kRoundingShare = 1e-9;
 constexpr double kRoundingLength = 1e-9;  // mm
@@ -37,7 +37,7 @@ double rounding_of(std::size_t quantity) {
   }
 }
 
-// The members of all samples. `x_at` returns x for a replicate and the number n of a sample.
+// Returns the members of all samples. `x_at` returns x for a replicate and a sample number n.
 template <class F>
 std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTask& task,
                                       const F& x_at) {
@@ -58,7 +58,7 @@ std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTa
   return samples;
 }
 
-// The point `a`, except that the coordinates for the tolerances of `group` are those of `b`.
+// Returns the point `a` with the coordinates of `b` for the tolerances of `group`.
 std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
                           std::vector<double> a, const std::vector<double>& b) {
   std::size_t from = 0;
@@ -79,7 +79,8 @@ Probability share_of(const std::vector<ScatterSample>& samples, double confidenc
                         static_cast<std::int64_t>(samples.size()), confidence);
 }
 
-// One quantity of the `count` samples from `from` on; none for samples that lose contact.
+// Returns one quantity of `count` samples, beginning with the sample `from`. The value is none for
+// samples that lose contact.
 SampleValues kept(const std::vector<ScatterSample>& samples, std::size_t quantity, std::size_t from,
                   std::size_t count) {
   SampleValues values(count);

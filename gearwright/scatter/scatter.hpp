@@ -1,11 +1,11 @@
-// Computes the effect of tolerances on a pair: the distribution of each quantity of the contact,
-// probabilities, the influence of each tolerance, and the worst member within the tolerances.
+// Computes the effect of tolerances on a pair. The results are the distribution of each quantity of
+// the contact, probabilities, the influence of each tolerance, and the worst member.
 //
 //   n, R   samples of a replicate, replicates        d   number of coordinates of x
 //                                    theory: docs/theory/14-scatter.md
 //
-// Every member of the family is computed independently of the others, and statistics are computed
-// in the order of the samples, so no result depends on the number of threads.
+// No result depends on the number of threads, because every member is computed independently of the
+// others, and statistics are computed in the order of the samples.
 #pragma once
 
 #include <cstdint>
@@ -40,13 +40,13 @@ struct LoadedFamily {
   /// torques, and `second_half` is the request of the mirror image of the other half.
   std::optional<LoadRequest> second_half{};
 
-  /// The torque on gear 1 of the whole pair, N mm.
+  /// Returns the torque on gear 1 of the whole pair, N mm.
   double torque(std::size_t k) const { return (second_half ? 2 : 1) * request.torques[k]; }
 };
 
 struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
-  /// Correlations of the scores of coordinates; check_correlations() accepts them.
+  /// Correlations of the scores of coordinates that check_correlations() accepts.
   std::vector<ToleranceCorrelation> correlations{};
   /// Every tolerance belongs to one group, and correlated tolerances belong to the same group. Used
   /// for `indices` only.
@@ -116,7 +116,8 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
-  /// The result of least_play_bound(), rad: no member has less play. None for the peak to peak.
+  /// The lower bound of the least play from least_play_bound(), rad. None if the quantity is the
+  /// peak to peak.
   std::optional<double> bound;
 };
 
@@ -128,8 +129,9 @@ struct Loosening {
   /// specified.
   double percent, percentile;
   struct Change {
-    /// Greatest factor at which the percentile exceeds `percentile` by at most the fraction
-    /// kLooser. None if this holds for all factors up to kMostFactor at which teeth exist.
+    /// Greatest factor for the width of the tolerance with which the percentile exceeds
+    /// `percentile` by at most the fraction kLooser. None if all factors up to kMostFactor with
+    /// possible teeth meet this limit.
     std::optional<double> factor;
     double halved;  ///< rad, the percentile if this tolerance is halved
   };
@@ -167,9 +169,9 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 /// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
 
-/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if this
-/// point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by less than
-/// 0.01″.
+/// Returns the point x inside the ranges of the tolerances with the greatest peak to peak. Returns
+/// none if this point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by
+/// less than 0.01″.
 ///
 /// Formula   [T14.15]
 /// Domain    at least one tolerance (contract)

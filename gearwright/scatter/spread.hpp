@@ -1,5 +1,5 @@
-// Statistics of one quantity over the samples of a family: mean, standard deviation, percentiles
-// and probabilities with their intervals.
+// Computes mean, standard deviation, percentiles and probabilities of one quantity over the samples
+// of a family, with their intervals.
 //
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.6] to [T14.9]
 #pragma once
@@ -20,8 +20,9 @@ struct PossibleValues {
 };
 constexpr PossibleValues kNotNegative{.least = 0.0};
 
-/// The spread of `values`. The values are stored replicate by replicate, with `per_replicate`
-/// values in each. Percentile::sample is an index of `values`. None if no sample has a value.
+/// Returns the spread of `values`. The values are stored replicate by replicate, with
+/// `per_replicate` values in each. Percentile::sample is an index of `values`. Returns none if no
+/// sample has a value.
 std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& values,
                                 int per_replicate, const PossibleValues& possible = {});
 

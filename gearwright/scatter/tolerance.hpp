@@ -1,5 +1,5 @@
-// Variations from pair to pair: a toleranced number, the position of a bore, pitches, or form waves
-// of the flanks.
+// Describes variations from pair to pair. A toleranced number, the position of a bore, pitches, or
+// form waves of the flanks can vary.
 //
 //   x   coordinates of a member of the family, one to three for each tolerance. Each is added to a
 //       value of the drawing, so x = 0 is the nominal pair
@@ -79,8 +79,8 @@ struct ScatterTolerance {
       of;
   std::string source{};  ///< key or table of the spec that gives the range
 
-  /// For a wave, ", f_fα of the grade" or ", f_fβ of the grade", because a wave has no tolerance of
-  /// its own; otherwise empty.
+  /// Returns ", f_fα of the grade" or ", f_fβ of the grade" for a wave, which has no tolerance of
+  /// its own, and an empty text for anything else.
   const char* of_grade() const;
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// True if the tolerance changes the position or the shape of the flanks, and therefore the peak
@@ -89,12 +89,11 @@ struct ScatterTolerance {
     return !std::holds_alternative<VaryingThickness>(of) &&
            !std::holds_alternative<VaryingPitch>(of);
   }
-  /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
+  /// Returns the number of coordinates: 2 for a bore or a wave, 3 for pitches, otherwise 1.
   int coordinates() const;
-  /// The coordinates of x, in the user's units. `u` contains one value in (0, 1) for each
-  /// coordinate.
+  /// Returns the coordinates of x in the user's units. `u` has a value in (0, 1) for each of them.
   std::array<double, 3> at(std::span<const double> u) const;
-  /// Least and greatest value of this coordinate of x, in the user's unit.
+  /// Returns the least and the greatest value of this coordinate of x, in the user's unit.
   std::array<double, 2> side(int coordinate) const;
   /// True if this coordinate has a normal score, by which it can be correlated. A phase has no
   /// score. A wave count has a score if its least and greatest values differ.
@@ -113,15 +112,15 @@ struct Deviation {
   bool uneven_pitch() const { return !pitch[0].empty() || !pitch[1].empty(); }
 };
 
-/// The member at x, whose coordinates are in the order of the tolerances.
+/// Returns the member at x, whose coordinates are in the order of the tolerances.
 ///
 /// Domain    x has one value for each coordinate of the tolerances (contract)
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 
 int coordinates_of(std::span<const ScatterTolerance> tolerances);
-/// The names of the coordinates for the user. A single coordinate has the name of its tolerance,
-/// for example "errors.crossing_deg". Several coordinates have endings, for example
+/// Returns the names of the coordinates for the user. A single coordinate has the name of its
+/// tolerance, for example "errors.crossing_deg". Several coordinates have endings, for example
 /// "bearings.bore_a.x_mm".
 std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tolerances);
 
@@ -142,7 +141,7 @@ struct GradedFlank {
   double helix_total;                ///< F_β
 };
 
-/// The deviations that the grade `quality` of an edition of the standard allows for a gear.
+/// Returns the deviations that the grade `quality` of an edition of the standard allows for a gear.
 ///
 /// Formula   [T14.23], with the values of flank_tolerances()
 /// Domain    a grade of the edition (contract)

@@ -19,7 +19,7 @@ double range_of(const std::vector<double>& v) {
   return *greatest - *least;
 }
 
-// The greatest step from a tooth to the next tooth, around the gear.
+// Returns the greatest step from a tooth to the next tooth, around the gear.
 double greatest_step(const std::vector<double>& v) {
   double step = 0.0;
   for (std::size_t k = 0; k < v.size(); ++k)
@@ -27,7 +27,7 @@ double greatest_step(const std::vector<double>& v) {
   return step;
 }
 
-// A random walk that closes after one turn, with mean 0.
+// Returns a random walk that closes after one turn, with mean 0.
 std::vector<double> closed_walk(std::size_t teeth, std::uint64_t key) {
   std::vector<double> walk(teeth);
   double at = 0.0;

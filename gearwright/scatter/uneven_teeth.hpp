@@ -16,8 +16,8 @@
 
 namespace gearwright {
 
-/// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. The walk g returns to its start after
-/// one turn. Both e and g are computed from `share`, `phase` and `eccentric`.
+/// Returns the angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. The walk g returns to its
+/// start after one turn. Both e and g are computed from `share`, `phase` and `eccentric`.
 ///
 /// Formula   [T14.20]
 /// Domain    share ≥ 0, 0 ≤ eccentric ≤ 1 (contract)
@@ -26,7 +26,7 @@ namespace gearwright {
 std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance, double share,
                                  double phase, double eccentric);
 
-/// Peak to peak of TE over lcm(z1, |z2|) pitches at the positions of `touches`, rad.
+/// Returns the peak to peak of TE over lcm(z1, |z2|) pitches at the positions of `touches`, rad.
 ///
 /// Formula   [T14.22]; exact for deviations of gear 2, and to first order for deviations of gear 1
 /// Domain    a touch at every position; `pitch` of a gear has a value for each tooth, or is empty

@@ -51,8 +51,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // The quantity to maximise: the peak to peak of the member at x, or the negative of its least
-  // play. Minus infinity if the member has no such value.
+  // Returns the quantity to maximise, the peak to peak of the member at x or the negative of its
+  // least play. The result is minus infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const auto found = quantity_ == ScatterQuantity::peak_to_peak
@@ -66,7 +66,7 @@ class Box {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
 
-  // The nearest point inside the box; for a bore, the nearest point in its circle.
+  // Returns the nearest point inside the box and inside the circles of the bores.
   std::vector<double> inside(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -111,8 +111,8 @@ class Box {
     return true;
   }
 
-  // The point x with rounded wave counts. It describes the same member as x, because deviation_at()
-  // also rounds wave counts.
+  // Returns the point x with rounded wave counts. It describes the same member as x, because
+  // deviation_at() also rounds wave counts.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -122,8 +122,8 @@ class Box {
     return x;
   }
 
-  // All corners; none if there are more than kMostCorners. The corners of a bore lie on a circle
-  // whose radius is `reach` times the radius of the bore.
+  // Returns all corners, or none if there are more than kMostCorners. The corners of a bore lie on
+  // a circle whose radius is `reach` times the radius of the bore.
   std::vector<std::vector<double>> all_corners(double reach = 1.0) const {
     std::size_t count = 1;
     for (const int c : choices_)
@@ -187,8 +187,9 @@ struct Place {
   double badness = -std::numeric_limits<double>::infinity();
 };
 
-// The method of Hooke and Jeeves: steps along each coordinate, then along the sum of these steps.
-// The first steps have the length `first`, and the last at least the length `last`.
+// Improves a point by the method of Hooke and Jeeves, with steps along each coordinate and then
+// along the sum of these steps. The first steps have the length `first`, and the last steps have at
+// least the length `last`.
 Place climb(const Box& box, Place place, double first, double last) {
   for (double step = first; step >= last;) {
     Place best = place;
@@ -218,8 +219,7 @@ Place climb(const Box& box, Place place, double first, double last) {
   return place;
 }
 
-// Keeps the `count` worst points. If several searches have ended at the same point, it is kept
-// once.
+// Keeps the `count` worst points, without duplicates.
 void keep_worst(std::vector<Place>& places, std::size_t count) {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.badness > b.badness; });
@@ -267,8 +267,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
   const std::vector<double> x = box.with_whole_waves(std::move(starts[0].x));
   WorstMember worst{box.value(starts[0].badness), x, box.is_corner(x), {}};
-  // The bound is valid only if the polygon of the corners contains the circle of a bore. The
-  // corners therefore lie outside this circle.
+  // The corners of a bore lie outside its circle, because the bound is valid only if the polygon of
+  // the corners contains the circle.
   if (quantity == ScatterQuantity::least_play)
     worst.bound = least_play_bound(setup, task,
                                    box.all_corners(1 / std::cos(std::numbers::pi / kDirections)));

@@ -1,4 +1,4 @@
-// The worst member of a family by a search of the whole box of tolerances, not only of its corners.
+// Finds the worst member of a family in the whole box of tolerances, not only at its corners.
 //
 // The peak to peak of TE is the greatest minus the least value of a curve. The peak to peak is
 // therefore neither convex nor quasi-convex in the errors. If the contact moves from one edge to
@@ -11,8 +11,8 @@
 
 namespace gearwright {
 
-/// The member with the greatest peak to peak, or with the least play. The search starts at the
-/// worst corners of the box and at the worst samples. Its steps have the directions of the
+/// Returns the member with the greatest peak to peak, or with the least play. The search starts at
+/// the worst corners of the box and at the worst samples. Its steps have the directions of the
 /// coordinates and of the last improvement. The steps are halved if they give no improvement.
 ///
 /// Accuracy  the worst local optimum that is found from several starts, which is not a bound.

@@ -18,7 +18,7 @@ constexpr Angle kLastOfP = Angle::degrees(1);
 
 bool is_F(const ArcRack& rack) { return rack.cutter == ArcRack::Cutter::F; }
 
-// The circle of the flank in the frame of the edge. [T7.1], [T7.2]
+// Returns the circle of the flank in the frame of the edge. [T7.1], [T7.2]
 RackArc flank_of(const ArcRack& rack) {
   RackArc arc;
   arc.center_height = is_F(rack) ? -rack.center_b : rack.center_b;
@@ -27,7 +27,7 @@ RackArc flank_of(const ArcRack& rack) {
   return arc;
 }
 
-// sin τ of the point where the flank joins a rounding of radius rho. [T7.4]
+// Returns sin τ of the point where the flank joins a rounding of radius rho. [T7.4]
 double joint_sine(const ArcRack& rack, double rho) {
   const RackArc flank = flank_of(rack);
   return (rho - rack.dedendum - flank.center_height) / (rho + flank.radius);
@@ -51,7 +51,7 @@ std::optional<Error> check_numbers(const ArcRack& rack) {
   return std::nullopt;
 }
 
-// The joint between flank and tip rounding must lie on the arc of the flank.
+// Returns an error if the joint of flank and tip rounding does not lie on the arc of the flank.
 std::optional<Error> check_joint(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   if (!is_F(rack) && !(rho < rack.arc_radius)) {

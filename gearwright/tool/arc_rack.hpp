@@ -1,4 +1,4 @@
-// The rack cutters F and P of circular-arc (Wildhaber-Novikov) gears.
+// Describes the rack cutters F and P of circular-arc (Wildhaber-Novikov) gears.
 //
 //   ρ*, a*, b*   radius of the flank's arc and position of its centre, in the notation of Litvin
 //                and Tsay: rack points  x = ρ sin θ − b, |y| = ρ cos θ − a. x is measured from the
@@ -29,17 +29,18 @@ struct ArcRack {
                                           ///< corner
 };
 
-/// Default addendum, dedendum and tip rounding: 0.9, 0.3 and 0.35 for F; 0, 1.05 and 0.5 for P. The
-/// paper gives these numbers in its figures, not in its text.
+/// Returns the rack with the default addendum, dedendum and tip rounding. They are 0.9, 0.3 and
+/// 0.35 for F, and 0, 1.05 and 0.5 for P, as in the figures of the paper by Litvin and Tsay. Its
+/// text does not contain these numbers.
 ArcRack default_arc_rack(ArcRack::Cutter cutter);
 
-/// The greatest radius of the tip rounding. With this radius, the roundings of both sides meet in
-/// the middle of the cutter's tip. [T7.5]
+/// Returns the greatest radius of the tip rounding. With this radius, the roundings of both sides
+/// meet in the middle of the cutter's tip. [T7.5]
 double full_radius(const ArcRack& rack);
 
-/// Tip rounding and flank as a chain of arcs. The arc of the flank extends beyond the tip of the
-/// gear tooth to the middle of the tooth, where the arcs of both sides meet. On P, the arc ends at
-/// a normal angle of 1° if this angle is reached first. [T7.1], [T7.2], [T7.4]
+/// Returns tip rounding and flank as a chain of arcs. The arc of the flank extends beyond the tip
+/// of the gear tooth to the middle of the tooth, where the arcs of both sides meet. On P, the arc
+/// ends at a normal angle of 1° if this angle is reached first. [T7.1], [T7.2], [T7.4]
 ///
 /// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
 ///           `rack.addendum`, each with the allowed limit; `rack.pressure_angle` if no point of the

@@ -1,5 +1,5 @@
-// The edge of a cutter in its normal section: a chain of named arcs from the middle of the cutter's
-// tooth to the middle of the cutter's space.
+// Describes the edge of a cutter in its normal section by a chain of named arcs from the middle of
+// the cutter's tooth to the middle of the cutter's space.
 //
 //   x    height above the datum line, away from the gear axis, mm
 //   y    coordinate along the datum line, mm; y = 0 in the middle of the cutter's space, which is
@@ -24,7 +24,7 @@ namespace gearwright {
 
 inline constexpr double kMaxModules = 1e4;  ///< upper limit of every length of a cutter
 
-/// A straight piece; `end_height` may be infinite (a flank that extends beyond every tip).
+/// A straight piece. `end_height` is infinite for a flank that extends beyond every tip.
 struct EdgeLine {
   Angle tau;            ///< τ  constant
   double y_datum;       ///< y of the extended line at x = 0, mm:  y = y_datum − x tan τ

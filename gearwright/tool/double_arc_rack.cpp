@@ -76,7 +76,7 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   d.contact_thickness = 2 * (r.convex_radius * c - r.convex_offset);
   d.concave_offset = r.concave_radius * c - r.space_width / 2;
 
-  // The arc of the step is tangent to the convex arc at the lower end of the convex arc, and it
+  // At the lower end of the convex arc, the arc of the step is tangent to the convex arc. It also
   // passes through the upper end of the concave arc.
   const double sin_1 = (r.step_height - r.convex_height) / r.convex_radius;
   if (!(sin_1 > 0.0 && sin_1 < 1.0)) {

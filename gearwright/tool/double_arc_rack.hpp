@@ -35,8 +35,8 @@ struct DoubleArcRack {
   bool named = false;                         ///< true if the numbers come from the standard
 };
 
-/// The rack of GB/T 12759-1991 for a module from 1.5 to 3, over 3 to 6, over 10 to 16 or over 32 to
-/// 50 mm.
+/// Returns the rack of GB/T 12759-1991 for a module from 1.5 to 3, over 3 to 6, over 10 to 16 or
+/// over 32 to 50 mm.
 ///
 /// Errors    `rack` for a module outside these ranges
 Result<DoubleArcRack> gbt12759_rack(double normal_module);
@@ -61,8 +61,8 @@ struct DoubleArcDerived {
 /// Errors    the member of `rack` that makes the rack impossible, such as `rack.step_depth`
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
-/// The chain of full-radius tip, concave arc, step and convex arc. The convex arc ends in the
-/// middle of the gear tooth, where the arcs of both sides meet.
+/// Returns the chain of full-radius tip, concave arc, step and convex arc. The convex arc ends in
+/// the middle of the gear tooth, where the arcs of both sides meet.
 ///
 /// Errors    as derived; `rack.addendum`, `rack.dedendum`
 Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);

@@ -18,12 +18,12 @@ inline bool is_straight(const Rack& rack) { return std::holds_alternative<Straig
 
 inline Result<RackOfArcs> arcs_of(const RackOfArcs& rack) { return rack; }
 
-/// Addendum of the gear tooth above the datum line, in normal modules.
+/// Returns the addendum of the gear tooth above the datum line, in normal modules.
 inline double addendum_of(const Rack& rack) {
   return std::visit([](const auto& r) { return r.addendum; }, rack);
 }
 
-/// Depth of the cutter below the datum line, in normal modules.
+/// Returns the depth of the cutter below the datum line, in normal modules.
 inline double dedendum_of(const Rack& rack) {
   return std::visit([](const auto& r) { return r.dedendum; }, rack);
 }

@@ -45,8 +45,8 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   return std::nullopt;
 }
 
-// The chain of arcs, with corners inserted. Each arc is moved so that it begins where the previous
-// arc ends.
+// Returns the chain of arcs, with corners inserted. Each arc is moved so that it begins where the
+// previous arc ends.
 Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   std::vector<RackArc> chain;
   for (std::size_t i = 0; i < rack.arcs.size(); ++i) {

@@ -35,22 +35,21 @@ struct RackOfArcs {
   std::vector<RackArc> arcs;
 };
 
-/// Largest permitted gap between neighbouring arcs, modules. The later arc is moved to close the
-/// gap.
+/// Largest permitted gap between arcs, modules. The later arc is moved to close the gap.
 constexpr double kSameRackPoint = 1e-6;
 
 Vec2 point_at(const RackArc& arc, Angle tau);
 
-/// Height of the end of the edge above the datum line, modules.
+/// Returns the height of the end of the edge above the datum line, modules.
 double reach(const RackOfArcs& rack);
 
-/// Half of the gear tooth's thickness on the datum line, modules; empty if no arc crosses this
-/// line.
+/// Returns half of the tooth thickness on the datum line, modules, or none if no arc crosses it.
 std::optional<double> half_thickness_on_datum(const RackOfArcs& rack);
 
-/// The edge in mm, for a gear tooth with a thickness allowance. An allowance E_sn < 0 moves every
-/// arc by |E_sn|/2 towards the middle of the gear tooth. If the normal angle decreases from one arc
-/// to the next, the corner between the two arcs also cuts and becomes an arc of radius 0. [T7.3]
+/// Returns the edge in mm, for a gear tooth with a thickness allowance. An allowance E_sn < 0 moves
+/// every arc by |E_sn|/2 towards the middle of the gear tooth. If the normal angle decreases from
+/// one arc to the next, the corner between the two arcs also cuts and becomes an arc of radius 0.
+/// [T7.3]
 ///
 /// Units     mm
 /// Errors    `rack.arcs`, `rack.addendum` or `rack.dedendum` if the edge violates a law of

@@ -73,7 +73,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   return std::nullopt;
 }
 
-// Half width of the cutter's space between the straight flanks at the height x, mm. [T3.1]
+// Returns half of the cutter's space width between the straight flanks at the height x, mm. [T3.1]
 double flank_y(double m, double alpha, double x) {
   return std::numbers::pi * m / 4 - x * std::tan(alpha);
 }

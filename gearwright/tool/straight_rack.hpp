@@ -30,12 +30,12 @@ struct StraightRack {
               ///< replaces it
 };
 
-/// The rack with the name "ISO53-A" … "ISO53-D"; nothing for other names.
+/// Returns the rack with the name "ISO53-A" … "ISO53-D", or none for other names.
 /// Source    ISO 53:1998, table 2
 std::optional<StraightRack> iso53_rack(std::string_view name);
 
-/// The full radius, which is the greatest ρ_fP* that fits: the roundings of both sides meet in the
-/// middle of the tip. [T3.2]
+/// Returns the full radius, which is the greatest ρ_fP* that fits. With this radius, the roundings
+/// of both sides meet in the middle of the tip. [T3.2]
 double full_radius(const StraightRack& rack, Angle normal_pressure_angle);
 
 struct StraightRackEdge {
@@ -44,7 +44,7 @@ struct StraightRackEdge {
       false;  ///< true if the radius of a named rack did not fit and was replaced
 };
 
-/// The edge of a rack, in mm.
+/// Returns the edge of a rack, in mm.
 ///
 /// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,
@@ -65,7 +65,6 @@ struct AgmaRack {
   Angle normal_pressure_angle;  ///< α_n
 };
 
-/// The rack with this name, or null if there is none.
 const AgmaRack* agma_rack(std::string_view name);
 
 }  // namespace gearwright

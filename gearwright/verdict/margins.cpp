@@ -27,8 +27,8 @@ constexpr Margin kTip{WarningCode::tip_margin,
                       "The clearance between the tip of gear {} and the root of the mating gear",
                       kMarginTip};
 
-// Example: "0.1500 mm". A length below 1 µm is written as "0.021 µm", because it would otherwise be
-// written as 0.0000 mm. A length below 0.001 µm is a rounding error.
+// Returns, for example, "0.1500 mm". A length below 1 µm, which would be written as 0.0000 mm, is
+// written in µm, for example as "0.021 µm". A length below 0.001 µm is a rounding error.
 std::string millimetres(double mm) {
   if (kUmPerMm * mm < 0.001) return "less than 0.001 µm";
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
@@ -117,7 +117,7 @@ std::vector<Finding> contact_findings(const PatternPlace& place) {
 
 namespace {
 
-// The number rounded down to three significant digits.
+// Returns the number rounded down to three significant digits.
 double rounded_down(double x) {
   const double step = std::pow(10.0, std::floor(std::log10(x)) - 2);
   return std::floor(x / step) * step;

@@ -47,8 +47,8 @@ class Trials {
     return done_.emplace(key, attempt_(change, depth)).first->second;
   }
 
-  /// The score after a change. Nothing if the change does not remove the finding, or if it adds or
-  /// worsens another finding.
+  /// Returns the score after a change. Returns nothing if the change does not remove the finding,
+  /// or if it adds or worsens another finding.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
     // The computation without tolerances and contact is done first, because it is the cheapest and
     // rejects most changes.
@@ -73,9 +73,9 @@ struct Found {
   Score score;
 };
 
-// The value of a number at which the contact lies nearest to the middle of the face. The search
-// halves the range of the number repeatedly, because the contact moves in one direction as the
-// number grows. There is no result if the contact at this value lies more than kMiddlePlace
+// Returns the value of a number at which the contact lies nearest to the middle of the face. The
+// search halves the range of the number repeatedly, because the contact moves in one direction as
+// the number grows. There is no result if the contact at this value lies more than kMiddlePlace
 // from the middle, or if edges touch more often than `before`.
 std::optional<Found> centring_change(Trials& trials, const Finding& finding, const Lever& lever,
                                      const PatternPlace& before) {
@@ -107,8 +107,8 @@ std::optional<Found> centring_change(Trials& trials, const Finding& finding, con
   return score ? std::optional(Found{change_of(best), *score}) : std::nullopt;
 }
 
-// The smallest change of one number that reaches the best score. Values are multiples of the step,
-// so the printed value is exactly the value that was tried.
+// Returns the smallest change of one number that reaches the best score. Values are multiples of
+// the step, so the printed value is exactly the value that was tried.
 std::optional<Found> least_change(Trials& trials, const Finding& finding, const Lever& lever,
                                   TryDepth depth) {
   const double step = lever.step();
@@ -197,8 +197,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     const TryDepth deepest = under_errors ? TryDepth::with_contact : depth;
     std::optional<Found> best;
     for (const Lever& lever : levers(*cure, finding, judged)) {
-      // Another number of teeth changes the ratio of a pair, so it is tried only if nothing else
-      // helps.
+      // Another number of teeth changes the ratio, so it is tried only if nothing else helps.
       if (best && judged.pair && lever.what == Adjustable::teeth) break;
       auto found = lever.what == Adjustable::lead_slope
                        ? centring_change(trials, finding, lever, *place)

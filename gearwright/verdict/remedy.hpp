@@ -1,14 +1,14 @@
-// Remedies of findings, and the numbers of a spec that can remove each finding. Each remedy is
-// tried before it is printed.
+// Finds remedies for findings. A remedy is a change of a number of a spec, and it is tried before
+// it is printed.
 //
 // A cure is a row of a table. It contains the code of a finding, the changes in the order in which
 // they are tried, and a clause that is true once the finding is removed. For a given spec, each
-// change becomes a lever: a number of the spec with its present value, direction, range and step.
-// For each lever, the program computes the smallest change that removes the finding and neither
-// adds nor worsens another finding. If several changes succeed, the one with the fewest remaining
-// findings is used. If the contact lies near the end of the face, or if an edge touches, the lead
-// slope that moves the contact to the middle is tried first. If no change succeeds, the remedy
-// contains no number.
+// change becomes a lever, which is a number of the spec with its present value, direction, range
+// and step. For each lever, the program computes the smallest change that removes the finding and
+// neither adds nor worsens another finding. If several changes succeed, the one with the fewest
+// remaining findings is used. If the contact lies near the end of the face, or if an edge touches,
+// the lead slope that moves the contact to the middle is tried first. If no change succeeds, the
+// remedy contains no number.
 #pragma once
 
 #include <optional>
@@ -58,7 +58,7 @@ const Cure* cure_of(const Finding& finding);
 
 std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged);
 
-/// Example: "With a profile shift of 0.54 on gear 1, the contact ratio is 1.286."
+/// Returns, for example, "With a profile shift of 0.54 on gear 1, the contact ratio is 1.286."
 std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
                          const Judged& judged, const ChangedState& trial);
 

@@ -120,8 +120,8 @@ int gear_of(Whose whose, int own) {
   return 0;
 }
 
-// The smallest profile shift without undercut. The profile shift and the thickness allowance
-// together set the position of the cutter, so the effect of the allowance is subtracted.
+// Returns the smallest profile shift without undercut. The profile shift and the thickness
+// allowance together set the position of the cutter, so the effect of the allowance is subtracted.
 std::optional<double> shift_without_undercut(const Gear& gear) {
   const auto least = gear.undercut_free_shift();
   if (!gear.undercut || !least) return std::nullopt;
@@ -130,7 +130,7 @@ std::optional<double> shift_without_undercut(const Gear& gear) {
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 
-// The number of decimals for lengths in mm. Their last digit is then about 10^-more modules.
+// Returns the number of decimals of lengths in mm with a last digit of about 10^-more modules.
 int digits_for(double module, int more) {
   return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
 }

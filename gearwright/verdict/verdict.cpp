@@ -35,8 +35,8 @@ std::string recommendation(double recommended_backlash) {
 
 namespace {
 
-// The distinct reasons of the findings of one level, in the order of the findings. Findings before
-// index `first` are skipped.
+// Returns the distinct reasons of the findings of one level, in the order of the findings. Findings
+// before index `first` are skipped.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
                                  std::size_t first = 0) {
   std::vector<std::string> list;
@@ -49,8 +49,8 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
   return list;
 }
 
-// If there is no backlash, the words include the smallest backlash recommended for running
-// gears.
+// Returns words for the backlash. If there is no backlash, they include the smallest backlash
+// recommended for running gears.
 std::string backlash_words(const StatedBacklash& j) {
   if (!j.none()) return fmt::format("a backlash of {:.4f} mm", j.normal);
   return fmt::format("no backlash ({})", recommendation(recommended_backlash(j)));
@@ -120,7 +120,7 @@ std::string gears_alone(const Judged& judged) {
                                                 : ", but not every gear to its tip diameter");
 }
 
-// The sentence about the operation of the gears. It is used only if no finding is red.
+// Returns the sentence about the operation of the gears. It is used only if no finding is red.
 std::string standing(const Judged& judged) {
   if (judged.rack && judged.rack->true_contact_ratio() < 1.0)
     return fmt::format(
@@ -168,7 +168,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
 }
 
-// The amber findings other than the finding in the headline.
+// Returns the amber findings other than the finding in the headline.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;
@@ -195,7 +195,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
 }
 
-// The number to which a warning refers, if it is a value of the pair or of the gear.
+// Returns the number to which a warning refers, if it is a value of the pair or of the gear.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
     const auto& s_an =

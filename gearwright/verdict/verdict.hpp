@@ -1,9 +1,9 @@
-// The verdict: whether the gears work and, if not, the reason and a remedy.
+// Judges whether the gears work. If they do not, the verdict gives the reason and a remedy.
 //
-// One verdict covers all results of a job: warnings of gears, pair and contact, margins of
-// clearances, the position of the contact under the errors, and safety factors. The worst finding
-// comes first, and the headline states it in words. The command line, JSON, Python and the page
-// print the same verdict.
+// One verdict covers all results of a job, which are warnings of gears, pair and contact, margins
+// of clearances, the position of the contact under the errors, and safety factors. The worst
+// finding comes first, and the headline states it in words. The command line, JSON, Python and the
+// page print the same verdict.
 //
 // Findings are computed for the nominal values, or for every combination of tolerance ends. In the
 // second case, findings of the same kind are merged, and the worst finding is kept. verdict_of adds
@@ -29,17 +29,17 @@ enum class Level {
   red,    ///< the gears cannot be made or do not run as specified
 };
 const char* to_string(Level level);
-/// A problem is red, a caution is amber, and a note is green.
+/// Returns red for a problem, amber for a caution, and green for a note.
 Level level_of(Severity severity);
 
-/// The smallest recommended j_n for iron or steel gears in an iron or steel housing, at speeds
-/// below 15 m/s.
+/// Returns the smallest recommended j_n for iron or steel gears in an iron or steel housing, at
+/// speeds below 15 m/s.
 ///
 /// Formula   j_n = j_bn/cos α_wn, j_bn = 2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996,
 ///           annex A
 /// Units     mm
 double recommended_backlash(const StatedBacklash& j);
-/// Example: "ISO/TR 10064-2 recommends at least 0.100 mm".
+/// Returns, for example, "ISO/TR 10064-2 recommends at least 0.100 mm".
 std::string recommendation(double recommended_backlash);
 
 struct FindingValue {
@@ -79,8 +79,8 @@ struct Finding {
   std::string at{};  ///< tolerance ends at which the finding occurs; empty for the nominal values
   std::optional<SpecChange> change{};  ///< the change in the remedy, if one was tried successfully
 
-  /// The tolerance ends at which the finding occurs, the message and the remedy, in this order.
-  /// Empty parts are omitted.
+  /// Returns the tolerance ends at which the finding occurs, the message and the remedy, in this
+  /// order. Empty parts are omitted.
   std::string whole() const;
 };
 
@@ -92,10 +92,10 @@ struct Verdict {
                                         ///< contains data for them: pair, contact, load, rating
 };
 
-/// Margins in normal modules. A clearance below its margin produces a finding. The fillet
-/// margin is small, because the tip corner of every good pair passes close to the fillet after
-/// it has left the mating flank. In a 20:40 pair without profile shift, this clearance is only
-/// 0.0009 modules, and in few pairs it exceeds 0.01 modules.
+/// Margins in normal modules. A clearance below its margin produces a finding. The fillet margin is
+/// small, because even in a good pair, a tip corner that has left the mating flank passes close to
+/// the fillet. In a 20:40 pair without profile shift, the clearance between corner and fillet is
+/// only 0.0009 modules. It rarely exceeds 0.01 modules.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the contact pattern from the middle of a face, relative to half of the face
 /// width, at which the pattern still counts as central.
@@ -133,11 +133,12 @@ struct Judged {
   std::optional<JudgedRating> rating{};                  ///< none if not computed
 };
 
-/// Example: " The lowest safety factor is 1.03 against pitting and 1.65 against root breakage." The
-/// minimum is taken over both gears and all ratings. Empty if there is no rating.
+/// Returns, for example, " The lowest safety factor is 1.03 against pitting and 1.65 against root
+/// breakage." The minimum is taken over both gears and all ratings. Without a rating, the text is
+/// empty.
 std::string safety_words(const std::vector<const Rating*>& ratings);
 
-/// Where the teeth touch, over all positions with contact.
+/// The place at which the teeth touch, over all positions with contact.
 struct PatternPlace {
   /// Fraction of the positions with contact at which an edge touches. For a double-helical pair, an
   /// edge of either half counts.
@@ -148,7 +149,7 @@ struct PatternPlace {
   /// lines.
   std::optional<double> mean;
 };
-/// None if the contact was not computed or if no teeth touch.
+/// Returns none if the contact was not computed or if no teeth touch.
 std::optional<PatternPlace> pattern_place(const Judged& judged);
 
 struct ChangedState {
@@ -157,15 +158,15 @@ struct ChangedState {
   double backlash = 0.0;       ///< j_n  mm
   std::optional<PatternPlace> place{};
 };
-/// How much is computed for a changed spec. as_drawn covers the nominal gears and the nominal pair.
-/// at_tolerances adds all combinations of tolerance ends. with_contact adds the contact under the
-/// errors.
+/// The results that are computed for a changed spec. as_drawn stands for the nominal gears and the
+/// nominal pair. at_tolerances adds all combinations of tolerance ends. with_contact adds the
+/// contact under the errors.
 enum class TryDepth { as_drawn, at_tolerances, with_contact };
 /// Computes the results of a spec with one change. Returns nothing if the changed gears cannot be
 /// made or mounted.
 using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, TryDepth)>;
 
-/// All findings of one state of the gears, without remedies, in no particular order.
+/// Returns all findings of one state of the gears, without remedies, in no particular order.
 ///
 /// Domain    one or two gears; `warnings` is set (contract)
 std::vector<Finding> findings_of(const Judged& judged);
@@ -174,7 +175,7 @@ std::vector<Finding> findings_of(const Judged& judged);
 /// levels, that its first value is less. Both findings must have the same code and gear.
 bool worse(const Finding& a, const Finding& b);
 
-/// The verdict with these findings for the judged data.
+/// Returns the verdict with these findings for the judged data.
 ///
 /// `attempt`  tries a change; if it is empty, remedies contain no numbers
 Verdict verdict_of(const Judged& judged, std::vector<Finding> findings,

@@ -1,4 +1,4 @@
-// Makes the gear of a spec. If there is none, the test fails with the reason.
+// Makes the gear of a spec. If the gear cannot be made, the test fails with the reason.
 #pragma once
 
 #include "gearwright/base/testing/taken.hpp"
