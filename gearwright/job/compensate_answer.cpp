@@ -22,8 +22,9 @@ namespace gearwright {
 namespace {
 
 constexpr int kPositions = kLeastSpanPositions;
-// Under load, a curve of the transmission error takes a hundred times as long as without load.
-// Fewer positions and fewer corners of the range are therefore computed.
+// Under load, the curve of the transmission error takes about a hundred times as long to compute as
+// without load. The corrections for loaded teeth are therefore computed from fewer positions and
+// fewer corners of the range.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -76,8 +77,8 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// Returns errors within the ranges of [compensate.range] for which the pair is worse than `known`,
-// in the units of their keys. Returns none if there are no such errors.
+// Returns errors within the ranges of [compensate.range], in the units of their keys, for which the
+// transmission error of the pair exceeds `known`. Returns none if there are no such errors.
 std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const ContactSetup& setup,
                                                                    const JobSpec& spec, Angle known,
                                                                    Progress* progress) {
@@ -180,8 +181,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Two kinds of warnings of the job are kept: those about the load, and those about the range of
-  // errors. The second kind still applies, because the range includes the errors of the spec.
+  // Only the warnings about the load and about the range of errors are kept. The warnings about the
+  // range still apply, because the range includes the errors of the spec.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -193,7 +194,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
-// Adds the closed forms for circular-arc teeth to the answer. Returns the values of all corrections
+// Adds the closed forms for circular-arc teeth to the answer. Returns the value of each correction
 // with which the search starts. If a correction has no closed form, its value is 0.
 std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup,
                                  const std::vector<WorkshopCorrection>& corrections,
@@ -311,8 +312,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
 
 namespace {
 
-// Pressures, MPa, count as equal if they differ by less than this. It is one ten-thousandth of a
-// usual flank pressure.
+// Pressures in MPa count as equal if they differ by less than this value. It is about one
+// ten-thousandth of a usual flank pressure.
 constexpr double kSamePressure = 0.1;
 
 }  // namespace

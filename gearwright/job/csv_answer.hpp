@@ -1,5 +1,5 @@
-// Answers as tables for a spreadsheet (RFC 4180), in the units of the spec. The numbers have enough
-// digits, so reading them gives the same doubles.
+// Writes answers as tables for a spreadsheet (RFC 4180), in the units of the spec. The numbers have
+// so many digits that reading them gives exactly the doubles of the answer.
 #pragma once
 
 #include <optional>

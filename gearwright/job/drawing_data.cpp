@@ -96,8 +96,8 @@ std::string rack_name(const JobSpec& spec, int which) {
 
 namespace {
 
-// Adds the rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the
-// mating gear, and otherwise 0. The workshop may replace the default cutter by another one, so the
+// Adds the rows of a pinion cutter. `mate` is the number of the mating gear if this gear is the
+// cutter, and 0 if it is not. The workshop may replace the default cutter by another one, so the
 // generating centre distance of the default cutter is omitted.
 void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"

@@ -1,4 +1,4 @@
-// The data tables of workshop drawings. Internal to job/.
+// Makes the data tables of workshop drawings. Internal to job/.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ struct Records {
   std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const;
 };
 
-/// Adds a row for the member with this path, with its words and its symbol. Does nothing if the
+/// Adds a row for the member with this path, with its label and its symbol. Does nothing if the
 /// member has no value.
 void add_data(DataGroup& group, const Records& records, std::string_view path,
               Sign sign = Sign::kept);

@@ -39,7 +39,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
     tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
-  tree["pair"].erase("mounting");  // the spec gives the centre distance
+  tree["pair"].erase("mounting");  // must not be given together with the centre distance
   return plain_first(tree);
 }
 

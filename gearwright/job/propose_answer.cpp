@@ -116,9 +116,9 @@ const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limit
 // helix slopes. Because p_H ∝ √F, 10 % more pressure corresponds to 21 % more torque.
 constexpr double kMostPressure = 1.1;
 
-// Returns 2 if an edge carries load, 1 if an edge carries load only at the limits of the helix
-// slopes, and 0 if no edge carries load. If the pressure exceeds kMostPressure · least, the result
-// is at least 1.
+// Returns 0 if no edge carries load, 1 if an edge carries load only at the limits of the helix
+// slopes, and 2 if an edge carries load without deviations. If the pressure exceeds kMostPressure ·
+// least, the result is at least 1.
 int edge_rank(const Proposal& p, double least) {
   if (p.worst.edge_carries) return 2;
   return pressed(p).edge_carries || p.worst.max_pressure > kMostPressure * least;
@@ -232,8 +232,8 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  // The proposal with the smaller merit is chosen. A later proposal changes more of the spec. At
-  // equal rank, it is therefore chosen only if its merit is smaller by more than 1 %.
+  // The proposal with the smaller merit is better. Later proposals change more of the spec. At
+  // equal rank, a later proposal is therefore chosen only if its merit is smaller by more than 1 %.
   constexpr double kWorth = 0.99;
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };

@@ -62,7 +62,7 @@ GradeDeviations grade_deviations(const SolvedJob& job);
 struct ProposalList {
   std::vector<Proposal> proposals;
   std::optional<std::array<double, 2>>
-      short_deflection{};            ///< C_i  mm, for the shortest reliefs with the helix
+      short_deflection{};            ///< C_i  mm, of the shortest reliefs for the helix
                                      ///< modifications of the spec
   std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };

@@ -62,8 +62,8 @@ std::vector<std::string> broken(const std::string& words, std::size_t most) {
   return lines;
 }
 
-// Returns the lines of a column: its heading, broken at `head_width` and filled up to `heads`
-// lines, its unit, and its cells.
+// Returns the lines of a column. They are its heading, broken at `head_width` and filled up to
+// `heads` lines, then its unit, and then its cells.
 std::vector<std::string> lines_of(const ListingColumn& column, std::size_t head_width,
                                   std::size_t heads) {
   std::vector<std::string> lines = broken(column.head, head_width);

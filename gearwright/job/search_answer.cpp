@@ -76,7 +76,8 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
-// Example: "β from 5° to 30° is a default. …"; empty if the spec determines the helix angles.
+// Returns, for example, "β from 5° to 30° is a default. …". The text is empty if the spec
+// determines the helix angles.
 std::string default_helix_line(const SearchProblem& problem) {
   if (!problem.default_helix_deg) return {};
   const auto& [least, greatest] = *problem.default_helix_deg;

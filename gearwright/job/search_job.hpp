@@ -1,5 +1,5 @@
-// The verb `search`. It runs a search in memory, or as a campaign, which keeps its finished chunks
-// on disk.
+// The verb `search` runs a search in memory, or as a campaign, which keeps its finished chunks on
+// disk.
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
@@ -98,7 +98,8 @@ Error no_search();
 Error no_tooth_numbers();
 
 /// Determines when regions are computed. If the ranking or a table of all designs needs them, they
-/// are computed at once. Otherwise, they are computed at the end, for the listed designs only.
+/// are computed at once. Otherwise, only the regions of the listed designs are computed, at the
+/// end.
 RegionDetail detail_of(const SearchProblem& problem, bool files);
 
 /// Returns all inputs that determine the result, as lines "key = value". `more` names further
