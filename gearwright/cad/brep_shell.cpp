@@ -138,9 +138,9 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// Returns a coordinate system on the axis of the gear. In a call, at most one argument may write
-// instances. If two arguments wrote instances, the numbers of these instances would depend on the
-// compiler, because C++ does not define the order in which arguments are evaluated.
+// Returns a coordinate system on the axis of the gear. In each call, only one argument writes
+// instances of the file. The instances would otherwise have numbers that depend on the compiler,
+// because C++ does not define the order in which arguments are evaluated.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());

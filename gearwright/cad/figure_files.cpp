@@ -24,7 +24,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMmPerPx = kMmPerInch / 96;  // one CSS px is 1/96 inch
-constexpr double kBold = 0.03;  // bold letters have a line of this width, relative to their size
+constexpr double kBold = 0.03;  // width of the outline of bold letters, relative to their size
 
 using Tree = boost::property_tree::ptree;
 using Px = std::complex<double>;  // a point x + iy with y down, px

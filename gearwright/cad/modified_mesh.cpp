@@ -13,7 +13,8 @@ namespace {
 // Permitted error of the removed material c within a facet, relative to the greatest c. A crowning
 // then has at least three steps.
 constexpr double kVisibleShare = 0.1;
-// Steps of the finite differences that give the normals: in u, and in z relative to the face width.
+// Steps of the finite differences that give the normals. The first is a step in u. The second is a
+// step in z, relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
 // Greatest number of halvings of a segment. It is also the greatest number of doublings of the
 // levels between two starts of reliefs.

@@ -17,7 +17,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr int kDecimals = 4;  // of a length in mm
+constexpr int kDecimals = 4;  // decimals of a length in mm
 // A cubic approximates an arc of at most π/8. The error is 4e-8 of the radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr auto kThin = SheetLayer::dimension;
 
-// Lengths in mm for h = 2.5 mm. kShort and kTextureHeight: heights of the two legs of the symbol of
-// surface texture. kBlank: width for a missing text. kNear: distance of a text from a line.
+// Lengths in mm for h = 2.5 mm. The legs of the symbol of surface texture have the heights kShort
+// and kTextureHeight. A missing text has the width kBlank. A text is kNear from a line.
 constexpr double kShort = 3.5, kBlank = 9, kNear = 0.6;
 // Side of the datum's triangle, and distance from its base to the box.
 constexpr double kTriangle = 3, kStem = kDatumHeight - kFrameHeight;

@@ -1,5 +1,5 @@
-// Draws the graphical symbols of a workshop drawing: surface texture, runout, datum and edge. The
-// symbols consist of lines and texts of a sheet, so every file format can contain them.
+// Draws the graphical symbols of a workshop drawing for surface texture, runout, datum and edge.
+// The symbols consist of lines and texts of a sheet, so every file format can contain them.
 // Internal to cad/.
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
@@ -47,9 +47,9 @@ enum class DatumSide { above, below };
 /// Draws the triangle of the datum on a line at `at`, with its box on the given side.
 void draw_datum(Sheet& sheet, const Vec2& at, DatumSide side);
 
-/// Draws the symbol of an edge: an angle with its corner at `corner`. `lengths` are the signed
-/// lengths of the horizontal and the vertical line. The caller writes the permitted size of the
-/// edge within the angle.
+/// Draws the symbol of an edge, which is an angle with its corner at `corner`. `lengths` are the
+/// signed lengths of the horizontal and the vertical line. The caller writes the permitted size of
+/// the edge within the angle.
 void draw_edge(Sheet& sheet, const Vec2& corner, const Vec2& lengths);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// Writes the transverse section as SVG: one path, in millimetres.
+// Writes the transverse section as one SVG path, in millimetres.
 //
 // The profile is the first subpath, and the bore or rim is the second. The path is filled by the
 // even-odd rule, so a gear has a visible bore, and an internal gear has a visible rim. Lands are
