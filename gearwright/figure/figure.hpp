@@ -1,4 +1,5 @@
-// Describes a figure as a value: marks in the units of its axes, without pixels or colours.
+// Describes a figure as a value. It consists of marks in the units of its axes, without pixels or
+// colours.
 //
 // A figure is made once from a result of the engine. Several writers use it: SVG for the report and
 // the page (figure_svg.hpp), PDF and DXF for papers and CAD (cad/figure_files.hpp), JSON and CSV
@@ -87,7 +88,7 @@ struct FigureMark {
   int group = -1;          ///< index of the group with which the mark turns; −1 for none
   std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
 
-  /// The markup of a text, or of the label of another mark, including its length.
+  /// Returns the markup of a text, or of the label of another mark, including its length.
   std::string text() const;
 };
 

@@ -123,7 +123,7 @@ std::string circle_path(long r) {
   return fmt::format("M{0} 0A{0} {0} 0 1 1 -{0} 0A{0} {0} 0 1 1 {0} 0", r);
 }
 
-// The bore and its keyway, which points along +y of the gear frame.
+// Returns the path of the bore and its keyway. The keyway points along +y of the gear frame.
 std::string bore_path(const Bore& bore, double unit_mm) {
   const auto units = [&](double mm) { return std::lround(mm / unit_mm); };
   const double r = bore.diameter / 2;

@@ -21,8 +21,8 @@ constexpr int kMostLevels = 10;
 constexpr std::size_t kMostDrawn = 14;  // number of ellipses that can be distinguished
 constexpr int kCorners = 48;            // corners of the polygon that represents an ellipse
 
-// A slice of a flank at one rotation of its tooth pair: the position of the least gap in the slice,
-// and the pressure there.
+// A slice of a flank at one rotation of its tooth pair. It has the position of the least gap in the
+// slice, and the pressure at this position.
 struct Sample {
   double own;     // rotation of the tooth pair, pitches
   double radius;  // mm
@@ -39,8 +39,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// The greatest pressure at a radius. If a mating edge passes the radius both outwards and inwards,
-// the greater of both pressures is used.
+// Returns the greatest pressure at a radius. If a mating edge passes the radius both outwards and
+// inwards, the greater of both pressures is used.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -56,8 +56,9 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The line on which a tooth pair carries load. It has one or several pieces. A point of the line is
-// the height of slice j along the face of gear `which`, and the value of(j).
+// Returns the line on which a tooth pair carries load. It has one or several pieces. Each point of
+// the line belongs to a slice j. Its coordinates are the height of the slice along the face of gear
+// `which`, and of(j).
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
                                  const Of& of) {

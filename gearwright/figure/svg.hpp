@@ -85,7 +85,8 @@ class Svg {
 /// Domain    gap ≥ 0; if (n − 1) gap > hi − lo, the labels share [lo, hi] evenly
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);
 
-/// A pixel coordinate with two decimals and no trailing zeros. An error of 0.01 px is invisible.
+/// Returns a pixel coordinate with two decimals and no trailing zeros. An error of 0.01 px is
+/// invisible.
 std::string pixel(double value);
 
 }  // namespace gearwright
