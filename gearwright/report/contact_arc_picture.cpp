@@ -20,10 +20,10 @@ namespace {
 constexpr double kArcAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, width of a picture
 
-// The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's
-// rack. Each point is (height towards the mating gear, position along the datum line). If
-// `mate` is true, the outline is turned upside down and moved by half a pitch, which gives the
-// rack of the mating gear.
+// Returns the outline of five teeth of a rack, in the frame of the middle tooth of the convex
+// gear's rack. Each point is (height towards the mating gear, position along the datum line). If
+// `mate` is true, the outline is turned upside down and moved by half a pitch, which gives the rack
+// of the mating gear.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -48,7 +48,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// An empty figure of a plane. The middle of the figure is `up` mm above the origin.
+// Draws an empty figure of a plane. The middle of the figure is `up` mm above the origin.
 Figure plane_of(const std::string& id, const std::string& title, const std::string& description,
                 double m, double up) {
   const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kArcAspect / 2);
@@ -104,7 +104,7 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   return best;
 }
 
-// "■ gear 1, convex: ρ = … mm, a = … mm, b = … mm"
+// Returns, for example, "■ gear 1, convex: ρ = … mm, a = … mm, b = … mm".
 std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) {
   return fmt::format("{} {} = {} mm, {} = {} mm, {} = {} mm",
                      caption_key(kInk[gear], fmt::format("gear {}, {}:", gear + 1, shape)),

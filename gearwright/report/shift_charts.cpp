@@ -23,8 +23,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The area of the shifts within the limits of the problem. Tooth numbers for which no shift is
-// within the limits separate the area into pieces.
+// Returns the area of the shifts within the limits of the problem. Tooth numbers for which no shift
+// is within the limits separate the area into pieces.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;

@@ -1,4 +1,5 @@
-// Builds an HTML table of quantities: words, symbol, unit, then one value in each column.
+// Builds an HTML table of quantities. A row has words, symbol and unit, and then one value in each
+// column.
 #pragma once
 
 #include <optional>
@@ -74,10 +75,10 @@ class TableBuilder {
   std::string text_;
 };
 
-/// A table and its notes, which become paragraphs.
+/// Writes a table and its notes, which become paragraphs.
 std::string table_html(const TextTable& table);
 
-/// The quantities of a subject as a table.
+/// Writes the quantities of a subject as a table.
 template <class S>
 std::string table_html(std::string_view caption, const std::vector<std::string>& columns,
                        UnitSystem units, const Quantities<S>& quantities,
