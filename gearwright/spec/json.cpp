@@ -44,7 +44,7 @@ bool bare(const std::string& key) {
 }
 
 // JSON's escapes are also valid in TOML, except for the surrogate pairs of characters beyond
-// U+FFFF. Therefore only control characters are escaped, and all other characters are written
+// U+FFFF. Only control characters are therefore escaped, and all other characters are written
 // directly. DEL is also escaped, because TOML does not allow it.
 std::string quoted(const std::string& text) {
   std::string out;
