@@ -92,7 +92,7 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return found;
 }
 
-// The name of this host with the characters that file names allow.
+// Returns the name of this host with _ in place of /, which file names do not allow.
 std::string host_in_names() {
   std::string host = host_name();
   std::replace(host.begin(), host.end(), '/', '_');

@@ -56,8 +56,8 @@ class ChunkJournal {
     bool open_ = true;
   };
 
-  /// The contents of the table `campaign`; empty before a campaign has begun. The caller must hold
-  /// a transaction.
+  /// Returns the contents of the table `campaign`. The result is empty before a campaign has begun.
+  /// The caller must hold a transaction.
   std::map<std::string, std::string> campaign();
   /// Makes the tables and begins the campaign. The caller must hold a transaction.
   void begin(const std::map<std::string, std::string>& campaign);
