@@ -23,10 +23,10 @@ namespace py = pybind11;
 /// rad, the name is the key without its unit: "tip_diameter" for tip_diameter_mm,
 /// "transmission_error" for transmission_error_arcsec. Otherwise it is the key itself.
 std::string name_of(const QuantityInfo& info);
-/// The size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
+/// Returns the size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
 double house_unit(Unit unit);
-/// The text that help() prints for the attribute `name`: "m_n, mm: normal module, as in the spec".
-/// If several keys of the table have this name, the text describes each of these keys.
+/// Returns the text that help() prints for the attribute `name`: "m_n, mm: normal module, as in the
+/// spec". If several keys of the table have this name, the text describes each of these keys.
 std::string docstring(const QuantityTable& table, const std::string& name);
 
 /// Converts a value to the form that it has in JSON. Null becomes None, lists become lists, and

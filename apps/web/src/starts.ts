@@ -35,7 +35,6 @@ function exampleOf([path, text]: [string, string]): Example {
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
 export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
-/** Matches a spec of a drive. */
 const kDrive = /^\[+(planetary|stage|drive)\b/m;
 /** The view for the small picture of a card: the whole gears in section, without labels. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;

@@ -26,7 +26,6 @@ export interface Tab {
   refresh(): Promise<void> | void;
   /** Called when the unit of lengths has changed, before the next refresh(). By default, the picture is made again. */
   inUnits?(): void;
-  /** Called when the user leaves the tab. */
   leave?(): void;
 }
 
@@ -47,7 +46,6 @@ export class Tabs {
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
   private rest = 0;
-  /** True if the last solved spec is a drive. */
   private ofDrive = false;
 
   constructor(readonly tabs: Tab[]) {
