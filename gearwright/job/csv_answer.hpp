@@ -61,9 +61,8 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
 
 // The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
 
-/// If both flanks of a gear are equal, the gear has one diagram, and otherwise one for each flank.
-/// If a modification does not fit its flank, the gear has no diagram. The verb `contact` reports
-/// this modification.
+/// A gear has one diagram if both flanks are equal, and two diagrams if they differ. It has no
+/// diagram if a modification does not fit its flank. The verb `contact` reports this modification.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

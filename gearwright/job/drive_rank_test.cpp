@@ -33,7 +33,7 @@ Answer ranked_search(const std::string& keys, std::size_t top) {
   return testing::taken(answer_drive_search(spec, top, 2));
 }
 
-// The sum of the cylinders of a printed spec, whose gears have the density of steel.
+// Returns the mass of the gears of a printed spec, computed as cylinders of steel, kg.
 double mass_of_cylinders(const Json& printed) {
   const JobSpec spec = testing::taken(read_spec(toml_text(printed), SpecFormat::toml));
   const Drive drive = testing::taken(solve_drive(spec)).drive;

@@ -14,8 +14,8 @@
 namespace gearwright {
 
 /// Returns the measurements of each gear with the tools of [gearN.measure], or else with the usual
-/// tools. If a measurement that was not requested is impossible, it is absent, and the job gets a
-/// warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
+/// tools. If a measurement that was not requested is impossible, it is absent, and the job gets the
+/// warning `no_chord`, `no_span`, `no_balls` or `no_pins`. A contact off the usable flank also
 /// causes a warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
