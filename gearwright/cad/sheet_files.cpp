@@ -261,8 +261,8 @@ std::string layer_of(const Mark& mark) {
   return mark.ink ? mark.ink->name : style_of(mark.layer).name;
 }
 
-// Returns the AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta.
-// For shades of grey, returns 7, the colour of the text.
+// Returns the AutoCAD colour index nearest to the hue of a colour, from 1 for red and 2 for yellow
+// to 6 for magenta. For shades of grey, returns 7, the colour of the text.
 int colour_index(std::uint32_t rgb) {
   const Eigen::Vector3i c(static_cast<int>(rgb >> 16), rgb >> 8 & 255, rgb & 255);
   int i = 0;

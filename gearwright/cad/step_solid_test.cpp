@@ -117,8 +117,8 @@ struct SolidFile {
   ReadStep read;
 };
 
-// The file of a case as another kernel reads it. The tests of a case share it, because reading
-// takes longer than most of them.
+// Returns the file of a case as another kernel reads it. The tests of a case share it, because
+// reading takes longer than most of them.
 const SolidFile& file_of(const Case& c) {
   static std::map<std::string, SolidFile> read;
   const auto [at, added] = read.try_emplace(c.name);
