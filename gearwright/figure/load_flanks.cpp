@@ -58,7 +58,7 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
 
 // Returns the line on which a tooth pair carries load. It has one or several pieces. Each point of
 // the line belongs to a slice j. Its coordinates are the height of the slice along the face of gear
-// `which`, and of(j).
+// `which`, and the value `of(j)`.
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
                                  const Of& of) {
