@@ -1,5 +1,4 @@
-// Writes the output of the programs, which is results on stdout, messages on stderr, and an exit
-// status.
+// Writes results to stdout and messages to stderr, and determines the exit status of the programs.
 #pragma once
 
 #include <chrono>

@@ -56,8 +56,8 @@ int threads_in_range(int threads);
 
 /// Raises gearwright.SpecError.
 [[noreturn]] void raise(const Error& error);
-/// Raises gearwright.SpecError for a single gear. The keys in the error do not begin with "gear1":
-/// "teeth" instead of "gear1.teeth".
+/// Raises gearwright.SpecError for a single gear. The keys in the error do not begin with "gear1".
+/// For example, a key is "teeth" instead of "gear1.teeth".
 [[noreturn]] void raise_of_gear(Error error);
 
 template <class T>
