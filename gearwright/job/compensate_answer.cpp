@@ -105,9 +105,9 @@ std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const Contact
 }
 
 // Computes the corrections for the scenarios. Without load, the function also searches the ranges
-// for errors under which the corrected pair is worse than in every scenario. If it finds such
-// errors, they become a further scenario, and the corrections are computed again. This happens at
-// most kMostInside times.
+// for errors under which the corrected pair has a greater transmission error than in every
+// scenario. If it finds such errors, they become a further scenario, and the corrections are
+// computed again. This happens at most kMostInside times.
 Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
                          const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
                          std::vector<NamedErrors>& scenarios) {

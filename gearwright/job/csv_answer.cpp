@@ -32,8 +32,8 @@ using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // a record for each row; null if the row has no
                                                // record
 
-// Calls f(column, cells) for columns of a table. A column is included if JSON also has it and if at
-// least one row has a value.
+// Calls f(column, cells) for columns of a table. A column is included if the JSON result also has
+// it and if at least one row has a value.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {

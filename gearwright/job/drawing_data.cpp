@@ -266,8 +266,8 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool ha
   return group;
 }
 
-// If there is no flank tolerance class, its row is blank, so that the workshop notices that it is
-// missing.
+// If there is no flank tolerance class, its row is blank. The workshop then notices that the class
+// is missing.
 DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& measure) {
   if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
   DataGroup group{

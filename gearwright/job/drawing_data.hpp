@@ -22,8 +22,8 @@ struct Records {
   UnitSystem units;
   std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
 
-  /// Returns the text of the member with this path, with its limits if there are any, or none
-  /// without a value.
+  /// Returns the text of the member with this path, with its limits if there are any. Returns none
+  /// if the member has no value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
   /// True if the member with this path has different values at the two tolerance ends.
   bool has_limits(std::string_view path) const;

@@ -109,9 +109,9 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes the files of the job into `folder`: result.json, report.html, drawing.pdf, gear1.*,
-/// gear2.* and pair.*, if the job has them. If FileOptions::only is not empty, only these parts are
-/// written. A gear without an outline has no files, and the job gets a warning.
+/// Writes the files of the job into `folder`. These are result.json, report.html, drawing.pdf,
+/// gear1.*, gear2.* and pair.*, if the job has them. If FileOptions::only is not empty, only these
+/// parts are written. A gear without an outline has no files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

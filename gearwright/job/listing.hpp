@@ -16,8 +16,8 @@
 
 namespace gearwright {
 
-/// Returns the title of the spec on a separate line, after `before`. The text is empty if the spec
-/// has no title.
+/// Returns a line that consists of `before` and the title of the spec. The text is empty if the
+/// spec has no title.
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);
