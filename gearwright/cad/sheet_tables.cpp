@@ -129,8 +129,8 @@ void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cel
   }
 }
 
-// Draws the symbol of first-angle projection (ISO 5456-2): a truncated cone and its view from the
-// left.
+// Draws the symbol of first-angle projection (ISO 5456-2), which is a truncated cone and its view
+// from the left.
 void first_angle(Sheet& sheet, const Vec2& middle) {
   constexpr double kHeight = 4, kSmallEnd = 2, kLength = 4, kApart = 3;  // mm
   const auto line = [&](const Vec2& a, const Vec2& b) {
