@@ -17,8 +17,8 @@ std::string body_style(std::size_t body);
 
 /// Draws the scheme of the drive in a half section. It shows gears, shafts, fixed bodies, and
 /// carriers with one planet of each kind. Speeds and torques are written at the ends of the shafts.
-/// Coaxial shafts are drawn beside each other. Radii are to scale, but lengths are not. `width` is
-/// the width of the picture, px, for which the words have room.
+/// Coaxial shafts are drawn beside each other. Radii are to scale, but lengths are not. The words
+/// are arranged for a picture with the width `width`, px.
 Figure scheme_figure(const Drive& drive, const DrivePlaces& places, double width);
 
 /// Draws the power flow from the inputs through bodies and meshes to the output. There is no figure

@@ -26,8 +26,8 @@ struct NamedCircle {
   std::string words = {};  ///< "tip diameter", shown at the pointer
 };
 
-/// Returns the symbol with the number of gear `i` (0, 1) in its index: "d_a1". The result is empty
-/// if the circle has no symbol.
+/// Returns the symbol with the number of gear `i` (0, 1) in its index, for example "d_a1". The
+/// result is empty if the circle has no symbol.
 std::string symbol_of(const NamedCircle& circle, std::size_t i);
 
 /// Returns the line style that belongs to the symbol. It is solid for tip and root circles,
@@ -48,8 +48,8 @@ struct MeshScene {
 /// without an outline.
 MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
 
-/// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
-/// are shown whole.
+/// The extent of a picture, which shows the whole gears, their mesh, or the path of contact. Gears
+/// that do not mesh are shown whole.
 enum class MeshFrame { whole, mesh, flank };
 /// Returns the box, enlarged to this ratio of width to height.
 Bounds with_aspect(const Bounds& box, double aspect);
