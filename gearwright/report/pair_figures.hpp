@@ -51,7 +51,7 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 /// empty if centrodes_are_worth_a_picture() is false.
 std::string centrode_figures(const InvolutePair& pair, const FigureForm& form = {});
 
-/// Circular-arc gears in the transverse section through contact point `which` of the pair.
+/// Draws circular-arc gears in the transverse section through contact point `which` of the pair.
 /// `shapes` are as in mesh_figures().
 Figure arc_mesh_figure(const ArcPair& pair, std::size_t which,
                        const std::array<std::string, 2>& shapes);

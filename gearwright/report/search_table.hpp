@@ -65,8 +65,8 @@ ObjectiveWords words_of(Objective objective);
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 
-/// Returns module, tooth numbers and helix angle: "2.5 · 28:54", or for a helical pair "2.5 · 28:54
-/// · 8°".
+/// Returns module and tooth numbers, for example "2.5 · 28:54". For a helical pair, returns "2.5 ·
+/// 28:54 · 8°" with the helix angle.
 std::string design_name(const Trial& trial);
 
 }  // namespace gearwright
