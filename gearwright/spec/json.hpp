@@ -27,8 +27,7 @@ Json parse_json(std::string_view text);
 /// valid UTF-8 become U+FFFD.
 std::string json_text(const Json& tree, int indent = -1);
 
-// A spec as TOML text, from its tree.
-// Internal to spec/ and the program.
+// Writes a spec as TOML text from its tree. Internal to spec/ and the program.
 
 /// Returns a value on one line. A table is written in braces.
 std::string toml_value(const Json& value);

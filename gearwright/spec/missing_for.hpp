@@ -1,5 +1,5 @@
-// Finds the inputs that a spec lacks for a computation. They are found before the computation and
-// reported together.
+// Finds the inputs that a spec lacks for a computation. The missing inputs are found before the
+// computation and reported together.
 #pragma once
 
 #include <array>
