@@ -40,7 +40,7 @@ struct Together {
 
 /// Fills `options`. Returns an error if the command line is wrong. `verb` is the name of the
 /// process in the journal if the process is neither a shard nor a rank. `noun` names the work in
-/// messages: "search" or "study".
+/// messages, and is "search" or "study".
 std::optional<std::string> fill_campaign(const CampaignCommand& command, const Together* together,
                                          const std::string& verb, const std::string& noun,
                                          CampaignOptions& options);

@@ -332,8 +332,8 @@ export interface Session {
   readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), solids, figures and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
   readonly pitchDeg: number; // one pitch of gear 1; 0 for a drive
-  /** Sets the unit of lengths of figures, rows, the report and drawings. Initially "mm". The figure of the gears
-   *  in section and all other results are in mm. */
+  /** Sets the unit of lengths of figures, rows, the report and drawings. The initial unit is "mm". The figure
+   *  of the gears in section and all other results are in mm. */
   showIn(unit: "mm" | "in"): void;
   /** Returns the output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
@@ -374,9 +374,9 @@ export interface Session {
   pattern(positions: number, rows?: number, columns?: number): Work<FlankRaster[]> | Failed;
   /** Returns the peak-to-peak transmission error as a function of two errors, which are keys of [errors]. */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
-  /** Teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine
-   *  keeps the compliance of the teeth. If only torque, errors or modifications have changed, the
-   *  next call therefore takes much less time. */
+  /** Computes teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine
+   *  keeps the compliance of the teeth. If only torque, errors or modifications have changed, the next call
+   *  therefore takes much less time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
   /** Returns an estimate, to first order, of the effect of the tolerances of [scatter] on the peak-to-peak
    *  transmission error. The estimate takes a fraction of a second. `width` is the width of a figure in px. */

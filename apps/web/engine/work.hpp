@@ -76,8 +76,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load. Each of the first two steps makes the compliance table of one gear, and
-/// these steps take longest. The following steps compute the positions.
+/// Computes teeth under load. Each of the first two steps makes the compliance table of one gear,
+/// and these steps take longest. The following steps compute the positions.
 /// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);

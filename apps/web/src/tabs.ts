@@ -24,7 +24,8 @@ export interface Tab {
   readonly ofDrives?: boolean | "only";
   /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
-  /** Called when the unit of lengths has changed, before the next refresh(). By default, the picture is made again. */
+  /** It is called when the unit of lengths has changed, before the next refresh(). By default, the picture is
+   *  made again. */
   inUnits?(): void;
   leave?(): void;
 }

@@ -55,7 +55,7 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** In a row with two fields, greatest number of letters of a word in a field, and of the label. */
+/** The greatest number of letters of a word in a field, and of the label, in a row with two fields. */
 const kNarrow = 8;
 const kShortLabel = 26;
 

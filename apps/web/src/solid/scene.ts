@@ -79,7 +79,7 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** Replaces the solids by the parts of a drive, in the colours of their bodies. */
+  /** Replaces the solids with the parts of a drive, in the colours of their bodies. */
   setParts({ parts, bodies }: DriveSolids): void {
     this.clear();
     const shapes: THREE.BufferGeometry[] = [];
