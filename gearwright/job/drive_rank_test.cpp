@@ -238,7 +238,7 @@ TEST(DriveRank, CommonFactorsAndOverlapAreLimited) {
     EXPECT_EQ(none["designs"].size(), 0u);
     EXPECT_EQ(none["left_out"]["overlap"], none["computed"]);
   }
-  // All pairs of the bands are tested that have no common factor, and the rest is not counted.
+  // The search tests and counts only pairs of tooth numbers without a common factor.
   long long pairs = 0;
   for (int a = 17; a <= 19; ++a)
     for (int b = 36; b <= 42; ++b) pairs += std::gcd(a, b) == 1 ? 1 : 0;

@@ -315,8 +315,8 @@ TEST(ScatterAnswer, TablesHaveARowForEachSample) {
   EXPECT_EQ(scatter_answered(tree), scatter_answered(tree));
 }
 
-// The raster is in the result only with the key, and the shares are computed from at most 256
-// samples.
+// The raster is in the result only if the key `pattern` is given, and the shares are computed from
+// at most 256 samples.
 TEST(ScatterAnswer, PatternsAreCountedOnRequest) {
   const std::string family =
       R"({"samples": 256, "replicates": 4, "errors": {"crossing_deg": [-0.02, 0.02]})";

@@ -30,8 +30,8 @@ namespace gearwright {
 
 namespace {
 
-// The steps of a verb after the gears and the pair have been solved. They are the result, the
-// verdict and the output.
+// The functions of a verb that run after the gears and the pair have been solved. They compute the
+// result, judge it and write it.
 template <class Found>
 struct Solving {
   Scope scope;

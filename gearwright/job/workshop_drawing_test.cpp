@@ -226,8 +226,8 @@ TEST(WorkshopDrawing, has_no_blank_symbols_beside_a_general_texture) {
   };
   const std::string solid = gear("teeth = 40\nnormal_module_mm = 2\nface_width_mm = 20");
   const std::string general = "[drawing]\nsurface_texture = \"Ra 3.2\"\n";
-  // The symbols of flanks and faces have three lines each, and the leader of the flanks two and an
-  // arrow.
+  // The symbols of flanks and faces have three lines each, and the leader of the flanks has two
+  // lines and an arrow.
   EXPECT_EQ(lines(solid), lines(general + solid) + 9);
   EXPECT_EQ(lines(solid), lines(general + "flank_roughness = \"Ra 1\"\n" + solid) + 3);
 }
