@@ -38,7 +38,7 @@ using testing::volume;
 struct Case {
   std::string name;
   ToothedBody body;
-  std::size_t faces;  // number of walls × slices, bore walls and two caps
+  std::size_t faces;  // walls × slices, plus the walls of the bore and two caps
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
