@@ -129,7 +129,7 @@ void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch
   }
 }
 
-// Returns distance, mm, between the contacts at successive positions on the flank of gear 1.
+// Returns the distance, mm, between the contacts at successive positions on the flank of gear 1.
 double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
