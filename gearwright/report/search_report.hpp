@@ -30,7 +30,7 @@ struct SearchReport {
 /// Number of the best designs that have a picture.
 inline constexpr std::size_t kRegionPictures = 20;
 
-/// The page, UTF-8.
+/// Returns the page in UTF-8.
 ///
 ///   Laws      (1) same input, same bytes
 ///             (2) the page loads nothing
