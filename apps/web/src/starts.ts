@@ -174,7 +174,7 @@ export class Starts {
         const figure = kDrive.test(text)
           ? (await bench.back.call("driveFigures", { text, width: kCard.width }))[0]!
           : await bench.back.call("meshFigure", { text, view });
-        // All schemes have the same id, and an id is unique in the page.
+        // All schemes have the same id, but an id must be unique in the page.
         picture.innerHTML = figure.html.replaceAll(new RegExp(`\\b${figure.id}(?=["-])`, "g"), example.name);
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
         picture.querySelector("figcaption")?.remove();

@@ -42,7 +42,7 @@ export class Tabs {
   );
   private readonly kept = h("p", { class: "kept", role: "status" });
   current: Tab;
-  /** Called with the id of a tab when it is opened. */
+  /** Is called with the id of the tab that is opened. */
   opened: (id: string) => void = () => undefined;
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;

@@ -21,7 +21,7 @@ const kLeastForCommon = 3;
 /** Words for the two ends of a range, and their indices in a symbol. */
 const kEnds = ["least", "greatest"];
 const kEndIndices = ["min", "max"];
-/** Words for the point of a design in the region, as in the search report. */
+/** The words that name the point of a design in its region, as in the search report. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
 /** Returns an identifier of a column. The same column of the next list has the same identifier. */
