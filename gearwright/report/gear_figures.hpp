@@ -78,8 +78,8 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
 struct ShiftedTooth {
   double shift;                 ///< x
   bool own;                     ///< true if this is the gear's own shift
-  Gear rack_cut;                ///< the gear without circular fillets, which may be a gear that
-                                ///< cannot exist
+  Gear rack_cut;                ///< the gear without circular fillets; such a gear may be
+                                ///< impossible
   std::optional<Gear> rounded;  ///< with the circular root fillet; none if the fillet does not fit
 };
 
