@@ -48,7 +48,7 @@ TEST_F(ChunkStoreTest, a_whole_life) {
     }
     EXPECT_TRUE(store.notes().empty());
   }
-  // The columns have the names of the constraints, changed to valid and different names.
+  // The columns have the names of the constraints, changed so that they are valid and unique.
   const auto row = query(folder_,
                          "SELECT tested, feasible, shift_limits, contact_ratio, Contact_Ratio_2, "
                          "bytes_2, bytes, writer, finished FROM chunks WHERE chunk = 4");
