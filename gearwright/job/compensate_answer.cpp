@@ -42,8 +42,7 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
   return errors;
 }
 
-// Returns the scenario in which the errors `ranged` have the values `value`, in the units of their
-// keys.
+// Returns the scenario with the values `value` of the errors `ranged`, in the units of their keys.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
   NamedErrors s{"", setup.place().errors};
@@ -62,8 +61,7 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   return ranged;
 }
 
-// Returns the scenario of the errors in the spec, followed by a scenario for every corner of the
-// range.
+// Returns the scenario of the errors in the spec, and then one for every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);

@@ -1,5 +1,4 @@
-// The verb `compensate` computes corrections with which a workshop can compensate errors of a
-// housing.
+// The verb `compensate` computes corrections with which a workshop can compensate housing errors.
 //
 // Two corrections have closed forms for some teeth, and these are computed first. The first is the
 // tool setting that restores the contact of circular-arc teeth after a change of the centre

@@ -127,8 +127,8 @@ auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
                     analyse_contact(mesh(!gear2_drives), other)};
 }
 
-// Judges the contact of the pair in `setup`, and adds the map and the pattern if `input` requests
-// them.
+// Judges the contact of the pair in `setup`, and adds the map and the pattern that `input`
+// requests.
 Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
                                 std::array<ContactResult, 2> found, const ContactInput& input,
                                 std::vector<Warning>& warnings, Progress* progress) {

@@ -14,8 +14,7 @@
 
 namespace gearwright {
 
-/// Returns the errors of the spec, for a pair or for a rack and its pinion. A single gear has no
-/// errors.
+/// Returns the errors of the spec, for a pair or for a rack and its pinion. A single gear has none.
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)

@@ -28,8 +28,7 @@ std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit
 std::string quantities_csv(const SolvedJob& job);
 /// Makes rows as in quantities_csv(), for the measurements of the gears.
 std::string measure_csv(const SolvedJob& job, const std::vector<GearMeasures>& measures);
-/// Makes a row for each position of the working flanks, with a column for each number of the
-/// position.
+/// Makes a row for each position of the working flanks, with a column for each of its numbers.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// Makes a row for each torque and position.
 std::string load_csv(const SolvedJob& job, const LoadAnalysis& answer);
@@ -45,8 +44,7 @@ std::string outline_csv(const Outline& outline, int points, UnitSystem units);
 /// apply.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 
-/// Reads "9x5", the numbers of points along the profile and along the face. Returns none for other
-/// texts.
+/// Reads "9x5", the numbers of points along profile and face. Returns none for other texts.
 std::optional<PointGrid> parse_grid(const std::string& text);
 
 /// Makes a row for each point of tooth 0 over the evaluation ranges, with flank modifications. The

@@ -153,8 +153,7 @@ DataGroup teeth(const SolvedJob& job, int which, const Records& r) {
   return group;
 }
 
-// Adds a size with the limits of its fit. If the size has no fit, the cells of the limits are
-// blank.
+// Adds a size with the limits of its fit. Without a fit, the cells of the limits are blank.
 void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
                const std::string& symbol, double size, const std::string& fit,
                const std::optional<std::array<double, 2>>& deviations) {
@@ -266,8 +265,7 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool ha
   return group;
 }
 
-// If there is no flank tolerance class, its row is blank. The workshop then notices that the class
-// is missing.
+// If there is no flank tolerance class, its row is blank. The workshop then notices the omission.
 DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& measure) {
   if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
   DataGroup group{

@@ -38,8 +38,8 @@ bool searches_drives(const JobSpec& spec);
 /// (m 2.5)".
 std::string teeth_text(const DriveCandidate& c);
 
-/// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the numbers
-/// of the candidate, the keys of [search] that apply to all candidates, and the other tables of
+/// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the
+/// candidate's numbers, the keys of [search] that apply to all candidates, and the other tables of
 /// `spec`.
 ///
 /// Law       the drive of this spec equals drive_of() for the candidate

@@ -30,8 +30,7 @@ struct DriveJob {
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
-/// Returns the [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the
-/// result.
+/// Returns the [errors] of a spec for each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
 /// Returns the load for a rating, as [rating] or the drive gives it.
@@ -63,8 +62,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nul
 /// Returns the required safety factors of [rating]. If they are absent, they are 1.
 Safeties wanted_safety(const JobSpec& spec);
 
-/// Returns the verdict on the drive. If the drive is rated, the verdict includes the safety
-/// factors.
+/// Returns the verdict on the drive, including the safety factors if the drive is rated.
 Verdict judge(const DriveJob& job);
 
 /// Errors    a drive without a layout; the errors of drive_solids()

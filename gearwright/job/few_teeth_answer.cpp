@@ -89,8 +89,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// Returns the value with nine decimals, as on a drawing. Rounding removes the error of a
-// conversion.
+// Rounds a value to nine decimals, as on a drawing. This removes the error of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
 // Rounds the profile shift to nine decimals if this changes it by less than 1e-12. A shift that was

@@ -95,8 +95,7 @@ std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadReg
   return out;
 }
 
-// Lists some positions of a torque. The rows are limited to one page. The option --json lists all
-// positions.
+// Lists some positions of a torque, at most one page. The option --json lists all positions.
 std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
   const auto& positions = view.torque->positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);

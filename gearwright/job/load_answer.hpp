@@ -33,8 +33,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.
 
-/// The report has pointers into the job. It always covers one pitch, even if [load] requests other
-/// rotations.
+/// The report points into the job. It covers one pitch, even if [load] requests other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if [load] requests only probes

@@ -42,8 +42,7 @@ Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& meas
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
-/// The rack that the user gives with --as-rack as "module,angle". One of the two numbers may be
-/// missing.
+/// The rack that the user gives with --as-rack as "module,angle". One number may be missing.
 struct RackQuestion {
   std::optional<double> normal_module;  ///< mm
   std::optional<Angle> normal_pressure_angle;

@@ -128,8 +128,7 @@ bool rises(const LoadedScore& s, const LoadedScore& given) {
   return std::isfinite(given.peak_to_peak.rad()) && s.peak_to_peak.rad() > given.peak_to_peak.rad();
 }
 
-// True if a proposal has a result, and its transmission error does not exceed that of the spec as
-// given.
+// True if a proposal has a result whose transmission error does not exceed that of the given spec.
 bool is_possible(const Proposal& p, const Proposal& given) {
   return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure) &&
          !rises(p.worst, given.worst);

@@ -45,8 +45,7 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 /// the computation fails.
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
-// The modifications that are proposed for a pair, without their effects. Only files of job/ use
-// them.
+// The modifications proposed for a pair, without their effects. Only files of job/ use them.
 
 /// The combined deviations of both gears in mm, normal to the flank. They are empty if neither gear
 /// has an accuracy grade. The two gears deviate independently, so each value is the root of the sum

@@ -90,7 +90,7 @@ Value to_value(const Json& json);
 /// Returns every table of a result, each followed by the tables of its records.
 std::vector<const QuantityTable*> result_tables();
 
-/// Returns the schema of the results of all verbs with --json, including the error for a rejected
+/// Returns the schema of the results of all verbs with --json, and of the error for a rejected
 /// spec.
 Json result_schema();
 

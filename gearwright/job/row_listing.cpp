@@ -99,8 +99,7 @@ bool all_equal(const ListingColumn& column) {
                      [&](const std::string& cell) { return cell == column.cells.front(); });
 }
 
-// True if every number of `a` is `factor` times the number of `b`, and if both columns have the
-// same unit.
+// True if every number of `a` is `factor` times the number of `b`, and both have the same unit.
 bool proportional(const ListingColumn& a, const ListingColumn& b, double factor) {
   // If two formulas compute the same quantity, the results differ only by rounding errors.
   constexpr double kRounding = 1e-9;

@@ -42,8 +42,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// Returns a value from the table of a gear. If gear 2 does not give the value, returns the value of
-// gear 1.
+// Returns a value from the table of a gear. If gear 2 lacks the value, returns that of gear 1.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];

@@ -1,5 +1,4 @@
-// The verb `search` runs a search in memory, or as a campaign, which keeps its finished chunks on
-// disk.
+// The verb `search` runs a search in memory, or as a campaign that keeps finished chunks on disk.
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
@@ -73,8 +72,7 @@ struct SearchRun : SearchView {
   std::vector<std::filesystem::path> files;
 };
 
-/// Returns a run that has not started. It records the parts of the spec that this search does not
-/// read.
+/// Returns a run that has not started. It records the parts of the spec that the search ignores.
 SearchRun begun(const JobSpec& spec, const Search& search);
 
 /// Greatest number of chunks of a search. A folder and its list cannot hold more.

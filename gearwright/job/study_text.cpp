@@ -107,8 +107,7 @@ std::string lost_words(const JobSpec& spec, const StudyRun& run) {
                      100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 
-// Returns a sentence if the gears of the best design jam in some samples, and otherwise an empty
-// text.
+// Returns a sentence if the gears of the best design jam in some samples, otherwise an empty text.
 std::string jam_words(const StudyRun& run) {
   if (run.designs.empty()) return "";
   const Json& best = run.designs[0];
