@@ -52,8 +52,7 @@ Biarc join(const End& a, const End& b) {
   // d is the positive root of the quadratic equation in biarc.hpp, in a form without cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
-  // The second arc follows from the same formula if the ends are exchanged and the direction is
-  // reversed.
+  // The second arc follows from the same formula, with exchanged ends and reversed direction.
   return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
 }
 

@@ -42,8 +42,7 @@ struct Brep {
   std::size_t edge_count;  ///< number of edges; each shared edge counts once
 };
 
-/// The faces of a gear. They consist of its walls and, if its flanks are modified, of the fit of
-/// its teeth.
+/// The faces of a gear, which are its walls and, if its flanks are modified, the fit of its teeth.
 struct GearFaces {
   BodyWalls walls;
   std::optional<ModifiedFit> fit;

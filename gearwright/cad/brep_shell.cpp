@@ -103,8 +103,7 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   return finish(body.name);
 }
 
-// Adds, as a face, the part of the plane at the height z that lies inside `outer` and outside
-// `inner`.
+// Adds as a face the part of the plane at the height z inside `outer` and outside `inner`.
 void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
   Ids loops{loop(outer)};
   if (inner != nullptr) loops.push_back(loop(*inner));

@@ -25,8 +25,7 @@
 
 namespace gearwright {
 
-/// Returns the distance of e from the circle through the origin with the normal N and the curvature
-/// κ.
+/// Returns the distance of e from the circle through the origin with normal N and curvature κ.
 ///
 /// Units     mm
 /// Domain    |N| = 1; κ = 0 gives the straight line

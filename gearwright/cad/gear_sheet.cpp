@@ -106,8 +106,7 @@ class GearViews : public SheetViews {
     return all;
   }
 
-  // Returns the lengths of the axial section on paper, with the dimensions and the datum to its
-  // left.
+  // Returns the lengths of the axial section on paper, with dimensions and datum to its left.
   AxialSection section() const {
     const bool grooved = input_.body.grooved();
     const double gap = grooved ? k_ * input_.body.two_helices->gap : 0.0;

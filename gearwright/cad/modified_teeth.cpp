@@ -273,8 +273,7 @@ double ModifiedTeeth::removed_volume(double face_width) const {
     const ModifiedSide& s = side(left);
     for (int i = 0; i <= kRows; ++i) {
       const ModifiedSide::Row row = s.plane(face_width * (static_cast<double>(i) / kRows - 0.5));
-      // Twice the area between the outline as cut and the modified outline, with both outlines as
-      // polygons.
+      // Twice the area between the outline as cut and the modified outline, both taken as polygons.
       double area = 0.0;
       Vec2 cut_before, moved_before;
       bool begun = false;

@@ -139,8 +139,7 @@ void Callouts::draw(Sheet& sheet, const Vec2& origin) const {
   const auto line = [&](const Vec2& a, const Vec2& b) {
     sheet.line(kLeaders, origin + a, origin + b);
   };
-  // Draws a leader from `from` along the horizontal to the x of `tip`, and then vertically to
-  // `tip`.
+  // Draws a leader from `from` horizontally to the x of `tip`, and then vertically to `tip`.
   const auto leader = [&](const Vec2& from, const Vec2& tip) {
     const Vec2 corner(tip.x(), from.y());
     line(from, corner);

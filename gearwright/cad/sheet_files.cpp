@@ -58,8 +58,7 @@ class Content {
     out_ += "ET\n";
   }
   const std::string& text() const { return out_; }
-  // Returns the graphics states for "gs", as an entry of the resources. The text is empty if there
-  // are none.
+  // Returns the graphics states for "gs" as an entry of the resources, or "" if there are none.
   std::string states() const {
     std::string list;
     for (std::size_t i = 0; i < opacities_.size(); ++i)

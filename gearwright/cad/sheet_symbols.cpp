@@ -53,8 +53,7 @@ void draw_texture(Sheet& sheet, const Vec2& foot, std::string_view words) {
   sheet.line(kThin, foot, foot + right);
   sheet.line(kThin, foot + right, foot + Vec2(texture_right(words), kTextureHeight));
   if (texture.bar) sheet.line(kThin, foot + left, foot + Vec2(-left.x(), kShort));
-  // The circle touches both legs and the horizontal line through the upper end of the shorter
-  // leg.
+  // The circle touches both legs and the horizontal through the upper end of the shorter leg.
   if (texture.circle) sheet.circle(kThin, foot + Vec2(0, kShort * 2 / 3), kShort / 3);
   if (!texture.words.empty())
     sheet.text(kThin, foot + right + Vec2(kNear, -kUsual - 1), texture.words, kUsual);

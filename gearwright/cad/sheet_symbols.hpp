@@ -16,8 +16,7 @@
 
 namespace gearwright {
 
-/// Heights of a symbol of surface texture, of a tolerance frame, and of a datum with its triangle,
-/// mm.
+/// Heights of a texture symbol, of a tolerance frame, and of a datum with its triangle, mm.
 inline constexpr double kTextureHeight = 7.5, kFrameHeight = 5.0, kDatumHeight = 9.5;
 /// Half of the width of the box of a datum, mm.
 inline constexpr double kDatumHalf = kFrameHeight / 2;

@@ -19,8 +19,7 @@ struct SvgOptions {
   double tolerance_mm = kSvgTolerance_mm;  ///< permitted normal distance of the Bézier curves
 };
 
-/// Returns the text of an SVG file of the section z = 0 of the body. Width, height and viewBox are
-/// in mm.
+/// Returns the text of an SVG file of the section z = 0. Width, height and viewBox are in mm.
 ///
 /// Units     mm, written with ten decimals
 /// Domain    tolerance_mm > 0; the laws of the outline hold within 1e-6 mm (contract)

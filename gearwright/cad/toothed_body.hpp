@@ -48,8 +48,7 @@ struct RackBlock {
   double middle_of(int k, int n) const { return (k - (n - 1) / 2.0) * pitch; }
 };
 
-/// The data that make an outline a double-helical gear. The half at z > 0 has the twist of the
-/// body.
+/// The data of a double-helical gear. The half at z > 0 has the twist of the body.
 struct TwoHelices {
   double gap = 0.0;            ///< mm, between the halves
   double groove_radius = 0.0;  ///< mm, radius of the gear within the gap; unused without a gap
