@@ -1,4 +1,4 @@
-// Contains the data of the contact figures, which are the gears, their axes as mounted, and the
+// Contains the data of the contact figures, which are the gears, their mounted axes and the
 // results.
 //
 //   TE   transmission error, rad: rotation by which gear 2 is ahead of |z1/z2| φ1, where φ1 is the
@@ -59,8 +59,7 @@ const char* words_of(TouchKind kind);
 
 /// Returns the number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
-/// Returns the style class of a tooth pair. Successive pairs use three classes of figure_style.css
-/// in turn.
+/// Returns the style class of a tooth pair. Successive pairs use three classes in turn.
 const char* pair_style(int k);
 
 /// Returns a value in arc seconds, with a number of decimals that suits its size.

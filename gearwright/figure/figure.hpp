@@ -1,5 +1,4 @@
-// Describes a figure as a value. It consists of marks in the units of its axes, without pixels or
-// colours.
+// Describes a figure as a value, with marks in the units of its axes, without pixels or colours.
 //
 // A figure is made once from a result of the engine. It is written as SVG for the report and the
 // page (figure_svg.hpp), as PDF and DXF for papers and CAD (cad/figure_files.hpp), and as JSON and

@@ -134,8 +134,7 @@ std::string bore_path(const Bore& bore, double unit_mm) {
                      units(r + bore.keyway_depth), units(r));
 }
 
-// Returns true if the straight line between the ends of a tooth's outline crosses the bore or its
-// keyway.
+// Returns true if the line between the ends of a tooth's outline crosses the bore or its keyway.
 bool chord_crosses_bore(const Gear& gear) {
   if (!gear.bore || gear.tooth->outline.arcs.empty()) return false;
   const double reach = gear.bore->diameter / 2 + gear.bore->keyway_depth;

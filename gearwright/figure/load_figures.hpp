@@ -14,8 +14,7 @@ namespace gearwright {
 /// figure if no position has a value.
 std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
-/// Draws the load shares of all tooth pairs at the shown torque over two pitches, each pair in its
-/// colour.
+/// Draws the load shares of all tooth pairs at the shown torque over two pitches, in their colours.
 std::optional<Figure> pair_share_figure(const LoadScene& scene);
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
@@ -52,8 +51,7 @@ Figure pressure_along_figure(const LoadScene& scene);
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);
 std::optional<Figure> point_pressure_figure(const LoadScene& scene);
 
-/// Draws the greatest root stress along the fillet, for both gears, over the position along the
-/// face.
+/// Draws the greatest root stress along the fillet of both gears over the position along the face.
 std::optional<Figure> root_face_figure(const LoadScene& scene);
 
 }  // namespace gearwright

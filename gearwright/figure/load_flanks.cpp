@@ -127,8 +127,7 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
     slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
   for (const double d : raster.diameter) {
     for (const double z : raster.height) {
-      // The value of an outermost slice is used from the middle of this slice to the end of the
-      // face.
+      // The value of an outermost slice applies from its middle to the end of the face.
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);
@@ -153,8 +152,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
   add_map(f, raster, levels, "greatest pressure during a mesh", "N/mm²", 0.0);
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  // The tip and root diameters beside the plot are removed, because the key of the shades is drawn
-  // there.
+  // The tip and root diameters beside the plot are removed, because the key of the shades is there.
   std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });

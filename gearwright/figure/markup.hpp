@@ -53,8 +53,7 @@ std::string with_symbols(std::string_view text);
 
 std::string without_tags(std::string_view markup);
 
-/// Returns the HTML element `figure` with these attributes. It contains the picture and the
-/// caption.
+/// Returns the HTML element `figure` with these attributes, the picture and the caption.
 std::string captioned(std::string_view picture, std::string_view caption,
                       std::string_view attributes = "");
 

@@ -28,8 +28,7 @@ Figure rack_bodies_figure(const RackScene& scene, const Bounds& window);
 /// Draws the bodies with circles, datum line, path of contact A–E and both lines of action.
 Figure rack_mesh_figure(const RackScene& scene, const Bounds& window);
 
-/// Returns the definition of the rack's shape, in units of kOutlineUnit modules and in the frame of
-/// the rack.
+/// Returns the definition of the rack's shape in its own frame, in units of kOutlineUnit modules.
 ///
 /// Errors    as rack_outline()
 Result<std::string> rack_definition(const RackPair& pair, const std::string& name);
@@ -46,8 +45,7 @@ Result<std::vector<Vec2>> rack_section(const RackPair& pair);
 /// 180°, and its flank touches the leading flank of the pinion at C.
 Vec2 rack_place(const RackPair& pair);
 
-/// Returns the rotation of the pinion, counter-clockwise, at which its leading flank passes through
-/// C.
+/// Returns the counter-clockwise rotation of the pinion that moves its leading flank to C.
 ///
 /// Formula   ψ_1 = s_bt1/d_b1 − inv α_t        Units rad
 double rack_pinion_rotation(const RackPair& pair);

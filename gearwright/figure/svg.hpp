@@ -32,8 +32,7 @@ enum class Anchor { start, middle, end };
 
 class Svg {
  public:
-  /// `id` is unique in the page. Title and description are plain text, which screen readers read
-  /// aloud.
+  /// `id` is unique in the page. Title and description are plain text for screen readers.
   Svg(std::string_view id, double width, double height, std::string_view title,
       std::string_view description);
 
