@@ -38,8 +38,7 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// Closes a chain of points to form a polygon, by a line at the height `depth` inside the
-// material.
+// Closes a chain of points to a polygon by a line at the height `depth` inside the material.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
   const Vec2 last = chain.back();
@@ -144,8 +143,7 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   add_arc_radius(f, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   f.line({upright(M), upright(M + 1.1 * m * n)}, "action-line");
-  // The angle θ_0 between the common normal and the pitch line is drawn at the point where they
-  // cross.
+  // The angle θ_0 between the common normal and the pitch line is drawn where they cross.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;

@@ -1,5 +1,4 @@
-// Draws a crossed pair in plan, in section, on its faces, and over the pressure angle of the common
-// rack.
+// Draws a crossed pair in plan, in section, on its faces and over the common rack's pressure angle.
 //
 //   A–E       leading line of action    T_1, T_2  base tangent points    C  pitch point of gear 1
 //   A′–E′     trailing line of action: the leading line turned by 180° about the centre line
@@ -33,8 +32,7 @@ namespace gearwright {
 /// Returns a point of the housing, seen in plan, mm: (y, z).
 Vec2 in_plan(const Point<Housing>& p);
 
-/// Returns the corners, in plan, of the cylinder of gear `which` (0, 1) with `radius` and the face
-/// width.
+/// Returns the corners in plan of the cylinder of gear `which` (0, 1) with `radius` and face width.
 std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
 /// Draws the lines of action in plan, and both whole gears in plan.
@@ -70,8 +68,7 @@ std::string range_figure(const CrossedPair& pair, UnitSystem units = UnitSystem:
 /// Draws the required face widths f and f′ as functions of α_wn, with the actual face widths.
 Figure face_width_figure(const CrossedPair& pair);
 
-/// Draws the faces from end to end, with the parts that the leading and the trailing line of action
-/// use.
+/// Draws the faces from end to end, with the parts that the leading and the trailing line use.
 ///
 /// Domain    the flanks meet (contract)
 Figure face_use_figure(const CrossedPair& pair);
@@ -82,8 +79,7 @@ Figure face_use_figure(const CrossedPair& pair);
 /// Domain    the flanks meet (contract)
 Figure speed_figure(const CrossedPair& pair);
 
-/// Writes a table of the speeds of the contact over each flank at the points of the path of
-/// contact.
+/// Writes a table of the contact speeds over each flank at the points of the path of contact.
 ///
 /// Domain    the flanks meet (contract)
 std::string speed_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
@@ -100,8 +96,7 @@ std::string min_distance_figure(const CrossedPair& pair, UnitSystem units = Unit
 /// sentence replaces the table. The result is empty if there are no approximations.
 std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// Writes the table and the figure of the least centre distance, in a folded section for manual
-/// checks.
+/// Writes table and figure of the least centre distance, in a folded section for manual checks.
 std::string min_distance_part(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

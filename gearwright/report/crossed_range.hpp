@@ -27,9 +27,8 @@ struct CrossedSample {
 /// Domain    crossed axes (contract)
 std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
-/// Returns samples with increasing α_wn. The range of α_wn contains all angles with ε ≥ 1, the
-/// mounted position and the least centre distance, with some margin. The range ends where no rack
-/// exists.
+/// Returns samples with increasing α_wn. Their range contains all angles with ε ≥ 1, the mounted
+/// position and the least centre distance, with some margin. The range ends where no rack exists.
 ///
 /// Domain    crossed axes (contract)
 /// Laws      at least two samples; the range contains the pair's α_wn within 1e-6 rad

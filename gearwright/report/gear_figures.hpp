@@ -1,6 +1,5 @@
 // Draws the pictures of one gear, which are the tooth, the root, and the tooth at other profile
-// shifts. For a gear with few teeth, the root is compared with the root that the rack alone would
-// cut.
+// shifts. For a gear with few teeth, the root is compared with the root that the rack alone cuts.
 //
 //   F    point of the flank on the base circle (roll angle ξ = 0), where undercut begins
 //   C, J where the circular root fillet and the circular tip fillet touch the flank
@@ -78,8 +77,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
 struct ShiftedTooth {
   double shift;                 ///< x
   bool own;                     ///< true if this is the gear's own shift
-  Gear rack_cut;                ///< the gear without circular fillets; such a gear may be
-                                ///< impossible
+  Gear rack_cut;                ///< the gear without circular fillets; may be impossible
   std::optional<Gear> rounded;  ///< with the circular root fillet; none if the fillet does not fit
 };
 

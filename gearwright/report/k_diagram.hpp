@@ -28,8 +28,7 @@ struct KDiagram {
   FlankTrace profile, helix;
 };
 
-/// Draws the diagrams with their captions, side by side. The result is empty if there are no
-/// diagrams.
+/// Draws the diagrams with their captions, side by side. The result is empty if there are none.
 std::string k_figures(const std::vector<KDiagram>& diagrams, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

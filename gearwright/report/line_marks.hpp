@@ -49,8 +49,7 @@ void add_lines_of_action(Figure& figure, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);
 
-/// Returns the explanation of the letters of the points and of the line styles, for a caption
-/// (HTML).
+/// Explains the letters of the points and the line styles, for a caption (HTML).
 std::string line_key();
 
 }  // namespace gearwright

@@ -80,8 +80,8 @@ std::string page_html(const ReportPage& page);
 /// Returns the hint about zooming. It is hidden until the script of the page makes it visible.
 std::string picture_hint();
 
-/// Returns the sections of a page, preceded by a list of links to their headings. Short pages have
-/// no list.
+/// Returns the sections of a page after a list of links to their headings. Short pages have no
+/// list.
 std::string with_contents(const std::string& sections);
 
 // The control that turns the gears of a picture (figure/mesh.hpp), and its script.

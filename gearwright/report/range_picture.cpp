@@ -46,8 +46,8 @@ std::vector<RangeCurve> quantities(const CrossedPair& pair) {
            3}};
 }
 
-// Returns the range of the axis of a panel. It contains the values on the curve and the value of
-// the mounted pair. If the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1
+// Returns the range of the axis of a panel. It contains the values on the curve and that of the
+// mounted pair. If the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1
 // counts.
 std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                           const RangeCurve& q) {

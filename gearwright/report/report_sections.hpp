@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// Writes the findings, worst first. If a finding does not belong to a single gear, its subject is
+/// Writes the findings, worst first. If a finding belongs to no single gear, its subject is
 /// `whole`.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
@@ -40,8 +40,7 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
 std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures);
 
-/// Writes links to the files that were written together with the page. The result is empty if there
-/// are none.
+/// Writes links to the files that were written together with the page. The result may be empty.
 std::string file_section(const std::vector<ReportFile>& files);
 
 /// Writes the inspection dimensions, with a column for each gear. They consist of the records of
@@ -85,7 +84,7 @@ std::string root_stress_figures(const LoadScene& report, const std::array<std::s
 /// Domain    at least one proposal (contract)
 std::string propose_section(const ProposeView& view, UnitSystem units);
 
-/// Writes the section about corrections. It contains the changes to make, and their effect on each
+/// Writes the section about corrections, with the changes to make and their effect on each
 /// objective.
 ///
 /// Domain    `before` has contact at some position; at least one correction (contract)

@@ -38,8 +38,8 @@ std::string pair_table(const Pair& pair, UnitSystem units = UnitSystem::mm);
 /// sliding.
 std::string path_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
-/// Writes the interferences with their names and amounts. If no interference was found, a sentence
-/// states this.
+/// Writes the interferences with their names and amounts. If there are none, a sentence states
+/// this.
 std::string interference_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 /// Writes a box for each available key figure. These are ratio, centre distance, contact ratio,

@@ -91,8 +91,7 @@ void add_lost_flank(Figure& f, const Gear& gear) {
   f.line(std::move(left), "before");
 }
 
-// Draws the circle of a fillet with its centre, and the radius to the point at which it touches the
-// flank.
+// Draws the circle of a fillet with its centre, and the radius to the point of tangency.
 void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2& touch,
                 const char* symbol) {
   constexpr double kReadable = 0.085;  // of the width of the plot; a shorter radius has no label

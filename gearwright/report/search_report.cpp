@@ -166,8 +166,7 @@ std::string toleranced(const SearchAllowances& allowances) {
   return distance ? "the centre distance" : "";
 }
 
-// Returns sentences about the load, the strength and the tolerances that the numbers of the designs
-// include.
+// Returns sentences about the load, the strength and the tolerances in the numbers of the designs.
 std::string included(const SearchProblem& problem) {
   const std::string with = toleranced(problem.allowances);
   if (with.empty() && !problem.rating)

@@ -1,6 +1,5 @@
 // Writes one HTML page about a design search, for users. It contains the number of trials, the best
-// designs in a sortable table, and pictures of their objectives and of the regions of their profile
-// shifts.
+// designs in a sortable table, and pictures of their objectives and shift regions.
 #pragma once
 
 #include <optional>

@@ -28,8 +28,7 @@ struct TableRow {
   std::vector<TableCell> cells;
 };
 
-/// Writes a table with a column of ranks before the given columns. `rows` are in the order of their
-/// ranks.
+/// Writes a table with a column of ranks before the given columns. `rows` are in the order of rank.
 std::string sortable_table(const std::vector<TableColumn>& columns,
                            const std::vector<TableRow>& rows);
 /// Writes the headings of the columns with their meanings, in a folded section.

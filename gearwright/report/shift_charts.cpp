@@ -98,7 +98,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
-  // The first style is for the limit of undercut. The other styles are for the limits of the tip
+  // The first style is for the limit of undercut. The others are for the limits of the tip
   // thickness.
   constexpr std::array kLimitStyles{"limit-undercut bold", "limit-tip dot", "limit-tip",
                                     "limit-tip dash"};

@@ -1,4 +1,4 @@
-// Builds an HTML table of quantities. A row has words, symbol and unit, and then one value in each
+// Builds an HTML table of quantities. A row has words, symbol and unit, then a value in each
 // column.
 #pragma once
 
@@ -24,8 +24,7 @@ class TableBuilder {
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
   void row(const TextRow& text, const std::vector<std::string>& values);
-  /// Adds a row with a single value, which spans all columns. If there is a note, it takes the last
-  /// column.
+  /// Adds a row with a single value, which spans all columns. A note takes the last column.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
   void common(const TextRow& text, const std::string& value,

@@ -120,8 +120,7 @@ Bounds window(const std::vector<ShiftedTooth>& teeth) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// Returns the outline of one tooth over one pitch, closed by straight lines to the axis of the
-// gear.
+// Returns the outline of one tooth over one pitch, closed by lines to the axis of the gear.
 std::vector<Vec2> slice_of(const Gear& gear) {
   const std::vector<Vec2> side = tooth_points(gear);
   std::vector<Vec2> slice{Vec2::Zero()};

@@ -53,8 +53,7 @@ inline SearchSample exact_search() {
   return search_sample(p);
 }
 
-/// Returns a search with three objectives, a narrow range of centre distances, and every limit
-/// given.
+/// Returns a search with three objectives, a narrow range of centre distances, and every limit.
 inline SearchSample pareto_search() {
   SearchProblem p = spur_problem();
   p.center_distance.reset();
