@@ -62,8 +62,7 @@ std::string toml_value(const Json& v) {
     const double x = v.get<double>();
     GW_EXPECTS(std::isfinite(x));
     const std::string text = fmt::format("{}", x);
-    // A point is added to a float without a point or exponent, because TOML would read it as an
-    // integer.
+    // A float without a point or exponent gets a point, because TOML would read it as an integer.
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
   }
   if (v.is_string()) return quoted(v.get<std::string>());

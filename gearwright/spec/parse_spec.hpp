@@ -33,8 +33,7 @@ std::optional<TextPlace> json_place(std::string_view text, std::string_view path
 /// Checks a tree before its keys are read. The tree must be a table with bounded nesting.
 std::optional<Error> check_tree(const Json& tree);
 
-/// Returns the spec of a tree. It is equal to the spec that read_spec reads from the text of the
-/// tree.
+/// Returns the spec of a tree, which equals the spec that read_spec reads from the tree's text.
 ///
 /// Errors    the errors of read_spec, except errors of syntax, and the errors of check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},

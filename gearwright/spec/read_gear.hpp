@@ -38,8 +38,7 @@ std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given);
 /// True if the table of a gear gives a module, a base cylinder or a cutter.
 bool has_module(const Json& gear);
 
-/// True if the table of a gear has readings but no module, so that `identify` must compute the
-/// module.
+/// True if the table of a gear has readings but no module, which `identify` must compute.
 bool is_unknown_gear(const Json& gear);
 
 /// Returns the readings of gear 1 or 2, or null if its table is absent or has no readings. If the

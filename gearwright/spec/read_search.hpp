@@ -71,8 +71,7 @@ bool is_drive_search(const Json& search);
 
 DriveSearchProblem read_drive_search(const Json& search);
 
-/// Returns the keys of [search] that are copied to [planetary] of every set, or to every stage of a
-/// train.
+/// Returns the keys of [search] that are copied to [planetary], or to every stage of a train.
 Json shared_keys(const Json& search, bool train);
 
 // Reads [scatter], which contains groups of inputs and toleranced numbers. Each toleranced number

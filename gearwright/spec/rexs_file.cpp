@@ -123,8 +123,7 @@ std::string lower_ending(const std::filesystem::path& path) {
   return ending;
 }
 
-// Returns the only REXS file in an archive. Other files in the archive, such as load spectra, are
-// not read.
+// Returns the only REXS file in an archive. Other files, such as load spectra, are not read.
 Result<std::string> file_in_archive(std::string_view archive) {
   auto names = zipped_names(archive);
   if (!names) return names.error();

@@ -61,7 +61,7 @@ struct RexsModel {
 
 /// Returns the model of a file, without its tables and its lists of several values.
 ///
-/// Text that begins with a brace is JSON, and any other text is XML. A ZIP archive contains one such
+/// Text that begins with a brace is JSON, and other text is XML. A ZIP archive contains one such
 /// file.
 ///
 /// Errors    text that is neither XML nor JSON, with the place of the error; a root element other

@@ -167,8 +167,7 @@ class SetFinder {
     return std::nullopt;
   }
 
-  // Returns the shafts and the casing that turn together with this shaft, because couplings connect
-  // them.
+  // Returns the shafts and the casing that turn with this shaft, because couplings connect them.
   std::set<std::string> coupled(const std::string& shaft) const {
     std::set<std::string> group{shaft};
     for (std::size_t before = 0; before != group.size();) {

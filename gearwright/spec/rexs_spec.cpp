@@ -360,8 +360,7 @@ class Reader {
                                  "flank_geometry",   "rack_shaped_tool",   "cutter_wheel_tool",
                                  "external_load",    "material",           "gear_casing",
                                  "coupling",         "switchable_coupling"};
-      // A shaft only connects gears. If its speed is its only attribute, nothing of the shaft
-      // is lost.
+      // A shaft only connects gears. If its speed is its only attribute, nothing is lost.
       const bool plain = c.type == "shaft" &&
                          std::all_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
                            return a.first == "defines_speed" || a.first == "rotational_speed";

@@ -320,7 +320,7 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
   }
-  // Editors on Windows offer UTF-16 as "Unicode". A file in UTF-16 begins with the byte order mark
+  // Editors on Windows offer UTF-16 as "Unicode". Such a file begins with the byte order mark
   // U+FEFF.
   if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF"))
     return syntax_error(name + " is UTF-16 text; save it as UTF-8");

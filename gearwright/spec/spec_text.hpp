@@ -1,5 +1,4 @@
-// Reads the text of a spec before it is parsed, with its origin, and finds the positions of keys in
-// this text.
+// Reads the text of a spec with its origin before parsing, and finds the positions of its keys.
 #pragma once
 
 #include <filesystem>
@@ -41,8 +40,7 @@ struct TextPlace {
 /// of a syntax error of TOML. For any other key, read_spec must be able to parse the text.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
-// Sets one key of a spec's TOML text to another value and leaves comments, order and blanks
-// unchanged.
+// Sets one key of a spec's TOML text. Comments, order and blanks remain unchanged.
 
 /// `path` has the form that errors use, for example "gear1.rack.dedendum". `value` is JSON text.
 /// Null removes the key. If the key is alone on a line, the whole line is removed.

@@ -51,14 +51,12 @@ class TableReader {
   /// name. The length of the list, the range of the numbers and their order are checked.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
-  /// Returns the tables of a list of tables, with their paths. The result is empty if the key is
-  /// absent.
+  /// Returns the tables of a list of tables with their paths, or none if the key is absent.
   std::vector<std::pair<std::string, const Json*>> tables(const std::string& key);
   const Json* any(const std::string& key);  ///< a value of any type, or null
   /// True if the table contains the key or one of its aliases.
   bool given_in_any_way(const std::string& key) const { return has_any(node_, keys_.ways(key)); }
-  /// Sets the helix angle with which values in the transverse section are converted. The default is
-  /// 0.
+  /// Sets the helix angle with which transverse values are converted. The default is 0.
   void use_helix(Angle beta) { cos_beta_ = std::cos(beta.rad()); }
 
   void check(const std::string& key, double value) const;
@@ -66,8 +64,7 @@ class TableReader {
   /// value of the key, for example "sun" in bore_mm = { sun = 200 }. `part` is empty if the value
   /// is a single number.
   double checked(const std::string& key, const Json& value, const std::string& part = "") const;
-  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled
-  /// key.
+  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelling.
   void require_all() const;
   /// Records that the key and its aliases are missing, so that finish() fails.
   void lacks_one_of(const std::string& key, const std::string& what);
