@@ -99,8 +99,7 @@ std::string host_in_names() {
   return host;
 }
 
-// `owner` is HOST.PID. A process of another host counts as alive, because this host cannot check
-// it.
+// `owner` is HOST.PID. A process of another host counts as alive, because it cannot be checked.
 bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;

@@ -53,8 +53,7 @@ class ChunkFolder {
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path path(std::int64_t chunk) const;
   bool there(std::int64_t chunk) const;
-  /// Returns the numbers of all chunk files in ascending order. The list is empty if there is no
-  /// folder.
+  /// Returns the numbers of all chunk files, ascending. The list is empty if there is no folder.
   std::vector<std::int64_t> list() const;
 
   /// Returns the chunk, or nothing if its file does not exist.

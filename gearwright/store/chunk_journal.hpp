@@ -41,8 +41,7 @@ class ChunkJournal {
   /// Opens the journal, or makes an empty one.
   ChunkJournal(const std::filesystem::path& path, const std::vector<std::string>& constraints);
 
-  /// Excludes all other writers until commit(). The destructor undoes a transaction that was not
-  /// committed.
+  /// Excludes all other writers until commit(). The destructor undoes an uncommitted transaction.
   class Transaction {
    public:
     explicit Transaction(ChunkJournal& journal);

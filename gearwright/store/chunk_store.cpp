@@ -175,8 +175,7 @@ struct ChunkStore::Impl {
   ChunkCounts sum;
 };
 
-// Returns the finished chunks of this campaign. Files with numbers outside the campaign are
-// ignored.
+// Returns the campaign's finished chunks. Files with numbers outside the campaign are ignored.
 std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   std::vector<std::int64_t> chunks = files.list();
   while (!chunks.empty() && !ours(chunks.back())) chunks.pop_back();

@@ -328,7 +328,7 @@ std::optional<std::string> parquet_note(const fs::path& file, std::string_view k
   for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(end[i]);
   if (length > size - kEnd) return std::nullopt;
   const std::string footer = last(length + kEnd);
-  // A key and its value form a struct of two binary fields. Field 1 is the key, and field 2 is the
+  // A key and its value form a struct of two binary fields. Field 1 is the key, and field 2 the
   // value.
   std::string before = "\x18";
   append_varint(before, key.size());
