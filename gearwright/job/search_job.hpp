@@ -43,7 +43,7 @@ struct SearchOptions : CampaignOptions {
                                        ///< size of the search
   std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
-  /// Called many times a second, by one thread at a time.
+  /// This function is called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
   /// If the caller sets this to true, the search ends at once and discards unfinished chunks.
   const std::atomic<bool>* stop = nullptr;

@@ -42,7 +42,7 @@ export class Tabs {
   );
   private readonly kept = h("p", { class: "kept", role: "status" });
   current: Tab;
-  /** Is called with the id of the tab that is opened. */
+  /** This function is called with the id of each tab that is opened. */
   opened: (id: string) => void = () => undefined;
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
