@@ -37,7 +37,8 @@ constexpr const char* kIntroduction =
 
 constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters may be wrong
 
-// The version. For a lean build (cmake/gw_lean.cmake), also the functions that this build lacks.
+// Returns the version. For a lean build (cmake/gw_lean.cmake), the text also lists the functions
+// that this build lacks.
 std::string version_text() {
   return fmt::format("gearwright {}{}", kVersion,
                      refuse_folder() ? ", without the option --out of the verb search" : "");

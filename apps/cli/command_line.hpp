@@ -52,7 +52,7 @@ class CommandLine {
   std::map<const CLI::App*, Work> work_;
 };
 
-/// The verbs that a user sees, in the order of --help.
+/// Returns the verbs that a user sees, in the order of --help.
 std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 
 /// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)

@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-// The words that may follow this verb on the command line, apart from a spec.
+// Returns the words that may follow this verb on the command line, apart from a spec.
 std::vector<std::string> words_after(const CLI::App& app, const CLI::App& verb) {
   const std::string& name = verb.get_name();
   if (name == "schema") return {"spec", "result"};

@@ -1,4 +1,4 @@
-// The verbs `run`, `export` and `import`. `run` writes all files that are possible for a spec,
+// Runs the verbs `run`, `export` and `import`. `run` writes all files that are possible for a spec,
 // `export` writes the requested files, and `import` prints a REXS file as a spec.
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// The functions of the verbs. Each reads a spec, calls the functions of gearwright/job, prints the
+// Runs the verbs. Each function reads a spec, calls the functions of gearwright/job, prints the
 // result and returns the exit status.
 #pragma once
 

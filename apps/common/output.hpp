@@ -1,4 +1,4 @@
-// Output of the programs: results on stdout, messages on stderr, and an exit status.
+// Writes results to stdout and messages to stderr, and determines the exit status of the programs.
 #pragma once
 
 #include <chrono>
@@ -29,7 +29,7 @@ void print_spec(const Json& spec, bool json, const std::vector<std::string>& not
 /// number, or returns an error if the answer has no such spec.
 std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
                                   const std::optional<int>& take);
-/// The error for a number after `--take` that exceeds the number of specs. If there are no
+/// Returns the error for a number after `--take` that exceeds the number of specs. If there are no
 /// specs, `why_none` is the reason.
 Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
 /// Returns {"error": …} with the line, the column and the name of the spec, if they are known.

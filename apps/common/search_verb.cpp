@@ -158,9 +158,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // Regions of profile shifts are computed only for output that contains them. If only the spec
-  // of one design is printed, no region is needed. If a table is printed, the regions of its
-  // rows are needed.
+  // Regions of profile shifts are computed only for output that contains them. The spec of one
+  // design contains no region. A table contains the regions of its rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

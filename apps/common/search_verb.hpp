@@ -1,5 +1,5 @@
-// The verb `search` in one process or several: its command line, progress display, reaction to
-// Ctrl-C, and output.
+// Runs the verb `search` in one process or several. This includes its command line, progress
+// display, reaction to Ctrl-C, and output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -30,24 +30,26 @@ struct CampaignCommand {
 struct Together {
   int rank = 0, ranks = 1;
   std::function<std::int64_t()> next_chunk;
-  /// The first process calls this function after it has opened the folder or has failed to open
-  /// it. The other processes call it before they open the folder, and wait in it for the first
-  /// process. Returns true in every process if the first process has opened the folder.
+  /// The first process calls this function after its attempt to open the folder. The other
+  /// processes call the function before they open the folder, and the function makes them wait for
+  /// the first process. It returns true in every process if the first process has opened the
+  /// folder.
   std::function<bool(bool opened)> folder_is_open;
   std::function<bool()> finish_together;
 };
 
 /// Fills `options`. Returns an error if the command line is wrong. `verb` is the name of the
-/// process in the journal, unless the process is a shard or a rank. `noun` names the work in
-/// messages: "search" or "study".
+/// process in the journal if the process is neither a shard nor a rank. `noun` names the work in
+/// messages, and is "search" or "study".
 std::optional<std::string> fill_campaign(const CampaignCommand& command, const Together* together,
                                          const std::string& verb, const std::string& noun,
                                          CampaignOptions& options);
 
-/// The number of threads of this process. A rank has one by default.
+/// Returns the number of threads of this process. A rank has one by default.
 int threads_of(const CampaignCommand& command, const Together* together);
 
-/// The list of written files that is printed after a result; empty if no file was written.
+/// Returns the list of written files that is printed after a result. The text is empty if no file
+/// was written.
 std::string written_files(const std::vector<std::filesystem::path>& files);
 
 struct SearchCommand : CampaignCommand {
@@ -61,8 +63,8 @@ CLI::App* add_search(CLI::App& app, SearchCommand& command);
 /// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
 
-// The verb `scatter` over the designs of a search, in one process or several: options, progress,
-// Ctrl-C and output.
+// Runs the verb `scatter` over the designs of a search, in one process or several. This includes
+// its options, progress display, reaction to Ctrl-C, and output.
 
 struct StudyCommand : CampaignCommand {
   std::optional<std::string> designs;

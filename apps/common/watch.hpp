@@ -1,4 +1,4 @@
-// Watches a long computation: reports its progress on stderr and ends the program on request.
+// Watches a long computation. Its progress is reported on stderr, and the program ends on request.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The class Watch for builds without threads. In such builds, no second thread can show the
-// progress of a computation, and a signal ends the program at once.
+// Implements the class Watch for builds without threads. In such builds, no second thread can show
+// the progress of a computation, and a signal ends the program at once.
 #include "apps/common/watch.hpp"
 
 namespace gearwright::apps {

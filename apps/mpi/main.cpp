@@ -79,9 +79,9 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must outlive the try block. Its destructor frees the MPI window, which waits for
-  // all ranks. If an exception destroyed the queue before MPI_Abort is called, the program
-  // might never end, because the other ranks may be waiting for this rank.
+  // The queue must outlive the try block. Its destructor frees the MPI window, which waits for all
+  // ranks. If an exception destroyed the queue before MPI_Abort, the program might never end,
+  // because the other ranks may be waiting for this rank.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;

@@ -1,5 +1,5 @@
-// Results of the verbs: the types Contact, Rating and Loaded of a pair, and the functions solve,
-// fit, compensate, scatter and verify.
+// Defines the results of the verbs. They are the types Contact, Rating and Loaded of a pair, and
+// the results of the functions solve, fit, compensate, scatter and verify.
 #include <fmt/format.h>
 
 #include "apps/python/arrays.hpp"
@@ -182,8 +182,8 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   return by_name(Value(compensate_quantities().of(found)));
 }
 
-// The columns of the samples: the inputs, such as "errors.crossing_deg" or "bearings.bore_a.x_mm",
-// and then the quantities by key.
+// Returns the columns of the samples. These are the inputs, such as "errors.crossing_deg" or
+// "bearings.bore_a.x_mm", and then the quantities by key.
 std::vector<std::string> member_columns(const ScatterAnswer& a) {
   std::vector<std::string> names = coordinate_names(a.task.tolerances);
   for (const ScatterEntry& entry : scatter_entries()) names.emplace_back(entry.key);

@@ -1,5 +1,5 @@
-// Quantities of many objects in one structured array, with a field for each column of the catalogue
-// (columns.hpp).
+// Stores quantities of many objects in one structured array, with a field for each column of the
+// catalogue (columns.hpp).
 //
 // The name of a field is the key, such as "transmission_error_arcsec", and its values have the unit
 // of the key. For a member of a record, the name combines both keys, for example

@@ -1,4 +1,4 @@
-// The tables of the catalogue as Python objects, from which the type stubs are made.
+// Converts the tables of the catalogue to Python objects, from which the type stubs are made.
 #include <array>
 
 #include "apps/python/model.hpp"

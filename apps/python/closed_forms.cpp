@@ -1,8 +1,8 @@
-// Closed forms over columns of numbers, for the module gearwright.closed_forms. The vector
+// Computes closed forms over columns of numbers, for the module gearwright.closed_forms. The vector
 // functions and the formulas of the engine run without the GIL.
 //
-// A column has either a number for each row or one number for all rows. A row outside the domain of
-// a formula becomes NaN. Broadcasting, default values and names are in gearwright/closed_forms.py.
+// A column has a number for each row, or one number for all rows. A row outside the domain of a
+// formula becomes NaN. Broadcasting, default values and names are in gearwright/closed_forms.py.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -18,13 +18,13 @@ namespace gearwright::python {
 
 namespace {
 
-constexpr std::size_t kPart = 512;  // number of rows in a part; a part of this size fits into the
+constexpr std::size_t kPart = 512;  // number of rows in a part, which then fits into the
                                     // processor's cache
 using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>
 using Columns = std::array<Column, N>;
 
-// A column of results with this number of rows. The values are not yet set.
+// Returns a column of results with this number of rows. The values are not yet set.
 py::array_t<double> results(std::size_t rows) {
   return py::array_t<double>(static_cast<py::ssize_t>(rows));
 }
@@ -133,8 +133,8 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
   return all;
 }
 
-// The least and the greatest profile shift of each row. Rows with the same number of teeth and
-// helix angle share one computation.
+// Returns the least and the greatest profile shift of each row. Rows with the same number of teeth
+// and helix angle share one computation.
 py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha_n, double addendum,
                        double edge_depth, double tip_thickness) {
   SearchProblem problem;

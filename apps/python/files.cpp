@@ -1,4 +1,5 @@
-// The methods that return teeth as points and triangles, and the methods that write files of gears.
+// Defines the methods that return teeth as points and triangles, and the methods that write files
+// of gears.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>
@@ -74,7 +75,7 @@ py::dict outline(const GearValue& gear, int points) {
   return all;
 }
 
-// The points on the circle of a land, from the start to the end of the piece.
+// Returns the points on the circle of a land, from the start to the end of the piece.
 std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
   std::vector<Vec2> all;
   const Vec2 across(-piece.begin.y(), piece.begin.x());

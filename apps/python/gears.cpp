@@ -1,5 +1,5 @@
-// The types Gear and Pair, which are made from keyword arguments. Every quantity of the catalogue
-// is an attribute.
+// Defines the types Gear and Pair, which are made from keyword arguments. Every quantity of the
+// catalogue is an attribute.
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -98,7 +98,8 @@ void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                   [&q, value](const Self& self) { return by_name(q.info, value(self, q)); });
 }
 
-// The quantity of a gear. For a double-helical gear, the result is the quantity of the whole gear.
+// Returns the quantity of a gear. For a double-helical gear, the result is the quantity of the
+// whole gear.
 Value value_of_gear(const GearValue& g, const Quantity& q) {
   return g.halves() ? Value(quantity(g.record(), q.info.key)) : value_of(q, g.gear());
 }

@@ -1,5 +1,5 @@
-// A spec and its results. Values of the types Gear, Pair, Contact, Rating and Loaded refer to a
-// model.
+// A model contains a spec and its results. Values of the types Gear, Pair, Contact, Rating and
+// Loaded refer to a model.
 //
 // A model never changes after its construction, so threads may share it.
 #pragma once
@@ -45,24 +45,23 @@ ModelPtr with_two_gears(ModelPtr model);
 /// helix_angle = 0.26 becomes helix_angle_deg = 14.9. An unknown name is unchanged, and the
 /// reader of the spec rejects it.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// The name of the key without its unit, for example normal_module for the key
-/// normal_module_mm. The value under this name is in mm or rad. If there is no such name,
-/// returns the key itself.
+/// Returns the name of the key without its unit, for example normal_module for the key
+/// normal_module_mm. The value under this name is in mm or rad. If there is no such name, returns
+/// the key itself.
 std::string house_key(const Key& key);
-/// The number of units of the key in one mm or one rad.
+/// Returns the number of units of the key in one mm or one rad.
 double units_per_house(const Key& key);
-/// Applies with_keys to all tables of a spec.
 Json spec_with_keys(Json tree);
 
-/// The spec of a TOML or JSON file or of a dict, and the folder in which its relative file names
-/// start. A dict has no folder.   Throws  FileError, SpecError
+/// Returns the spec of a TOML or JSON file or of a dict, and the folder in which its relative file
+/// names start. A dict has no folder.   Throws   FileError, SpecError
 std::pair<Json, std::filesystem::path> read_tree(const py::object& given);
 
-/// The quantity with this key, or an empty value if the record does not have this key.
+/// Returns the quantity with this key, or an empty value if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key);
-/// The member of the record that the attribute `name` shows, or null. Two keys of a table can have
-/// the same name, such as the transmission error of a gear, which is an angle, and the transmission
-/// error of a rack, which is a length. A record contains only one of the two keys.
+/// Returns the member of the record that the attribute `name` shows, or null. Two keys of a table
+/// can have the same name. For example, the transmission error of a gear is an angle, and the
+/// transmission error of a rack is a length. A record contains only one of the two keys.
 const Member* member_of(const ValueRecord& record, const std::string& name);
 
 /// Replaces members of `tree` by the members of `changes`, including the members of nested tables.
@@ -76,14 +75,14 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// The halves of a double-helical gear. gear() returns one of these halves.
+  /// Returns the halves of a double-helical gear. gear() returns one of these halves.
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }
-  /// The table of the gear in the spec. If the gear belongs to a pair, the table contains the
-  /// computed profile shift.
+  /// Returns the table of the gear in the spec. If the gear belongs to a pair, the table contains
+  /// the computed profile shift.
   Json spec() const;
-  /// The quantities of the gear and of its halves, if it has any.
+  /// Returns the quantities of the gear and of its halves, if it has any.
   ValueRecord record() const;
 };
 
@@ -100,8 +99,8 @@ struct PairValue {
   Verdict verdict() const { return judge(model->job); }
 };
 
-/// The result of a verb for a pair. It consists of the spec, in which the additional input of
-/// the verb is included, and of every quantity of the result.
+/// The result of a verb for a pair. It consists of the spec, which includes the additional input of
+/// the verb, and of every quantity of the result.
 struct AnswerValue {
   ModelPtr model;  ///< contains the warnings of the result
   std::shared_ptr<const ValueRecord> quantities;
@@ -151,8 +150,8 @@ void bind_verdict(py::class_<Self>& type) {
       "The verdict: level, headline and findings, the worst one first");
 }
 
-/// Adds a quantity of the table as an attribute, unless the type already has an attribute with this
-/// name. get(self) returns the value of the attribute.
+/// Adds a quantity of the table as an attribute if the type does not yet have an attribute with
+/// this name. get(self) returns the value of the attribute.
 template <class Self, class Get>
 void bind_quantity(py::class_<Self>& type, const QuantityTable& table, const QuantityInfo& info,
                    const Get& get) {

@@ -1,4 +1,4 @@
-// The extension module gearwright._core: a list of its functions and types.
+// Lists the functions and types of the extension module gearwright._core.
 #include <pybind11/pybind11.h>
 
 #include "apps/python/model.hpp"

@@ -35,8 +35,8 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// A frame with a picture. If the notebook permits scripts, the frame is as high as its content.
-// Otherwise it scrolls.
+// Returns a frame with a picture. If the notebook permits scripts, the frame is as high as its
+// content. Otherwise it scrolls.
 std::string framed(const std::string& title, const std::string& body) {
   const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
                            body + "</main>\n</body>\n</html>\n";
@@ -130,7 +130,7 @@ Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
   return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });
 }
 
-// The figures of a contact. There are none if no teeth touch.
+// Returns the figures of a contact. There are none if no teeth touch.
 std::vector<Figure> contact_figures(const ContactValue& c) {
   SolvedJob job = c.model->job;
   job.spec.contact.given = true;  // as if the spec had the table [contact]

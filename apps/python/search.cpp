@@ -1,4 +1,4 @@
-// The design search and the type Search of its result.
+// Defines the design search and the type Search of its result.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>

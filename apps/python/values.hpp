@@ -20,13 +20,14 @@ namespace gearwright::python {
 namespace py = pybind11;
 
 /// Returns the name of the attribute for a key. If the key has a unit that is converted to mm or
-/// rad, the name is the key without its unit: "tip_diameter" for tip_diameter_mm,
+/// rad, the name is the key without its unit, for example "tip_diameter" for tip_diameter_mm and
 /// "transmission_error" for transmission_error_arcsec. Otherwise it is the key itself.
 std::string name_of(const QuantityInfo& info);
-/// The size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
+/// Returns the size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
 double house_unit(Unit unit);
-/// The text that help() prints for the attribute `name`: "m_n, mm: normal module, as in the spec".
-/// If several keys of the table have this name, the text describes each of these keys.
+/// Returns the text that help() prints for the attribute `name`, for example "m_n, mm: normal
+/// module, as in the spec". If several keys of the table have this name, the text describes each of
+/// these keys.
 std::string docstring(const QuantityTable& table, const std::string& name);
 
 /// Converts a value to the form that it has in JSON. Null becomes None, lists become lists, and
@@ -56,8 +57,8 @@ int threads_in_range(int threads);
 
 /// Raises gearwright.SpecError.
 [[noreturn]] void raise(const Error& error);
-/// Raises gearwright.SpecError for a single gear. The keys in the error do not begin with "gear1":
-/// "teeth" instead of "gear1.teeth".
+/// Raises gearwright.SpecError for a single gear. The keys in the error do not begin with "gear1".
+/// For example, a key is "teeth" instead of "gear1.teeth".
 [[noreturn]] void raise_of_gear(Error error);
 
 template <class T>

@@ -1,9 +1,9 @@
 // Runs a long computation on another thread. Meanwhile, the main thread of Python checks for
 // Ctrl-C and reports the progress.
 //
-// Python handles a signal only between two of its own instructions, and therefore not during a
-// call that takes several seconds. Here, the calling thread waits without the GIL. Every kLook,
-// it acquires the GIL and checks for signals.
+// Python handles a signal only between two of its own instructions, and therefore not during a call
+// that takes several seconds. Here, the calling thread waits without the GIL. At intervals of
+// kLook, it acquires the GIL and checks for signals.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -36,9 +36,9 @@ struct Watched {
   }
 };
 
-/// Runs the computation until it ends, and rethrows its exceptions. If the user presses Ctrl-C,
-/// or if `look` throws an exception, the function stops the computation, waits for its end, and
-/// then throws that exception (for Ctrl-C, KeyboardInterrupt).
+/// Runs the computation until it ends, and rethrows its exceptions. If `look` throws an exception,
+/// the function stops the computation, waits for its end, and then throws this exception. If the
+/// user presses Ctrl-C, it does the same and throws KeyboardInterrupt.
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
   std::exception_ptr raised;

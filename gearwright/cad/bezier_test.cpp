@@ -52,7 +52,7 @@ TEST(Bezier, ErrorFallsWithTheFourthPower) {
   const Outline outline = testing::sample_body({}).outline;
   for (const ArcName name : {ArcName::flank, ArcName::root_fillet}) {
     // If the tolerance is 10⁴ times finer, ten times as many pieces are needed. The last piece may
-    // be shorter than the others, so the count may differ by that piece.
+    // be shorter than the others, so the number of pieces may differ by one.
     const std::size_t coarse = fit_beziers(*outline.find(name), 1e-6).points.size() / 3;
     const std::size_t fine = fit_beziers(*outline.find(name), 1e-10).points.size() / 3;
     EXPECT_LE(fine, 10 * coarse + 1);

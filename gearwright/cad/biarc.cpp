@@ -11,8 +11,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kStraight = 1e-9;  // mm; an arc with a smaller sagitta is written as a line
-// If the chord makes equal angles with both end tangents, within this tolerance, rad, one arc
-// replaces the biarc.
+// One arc replaces a biarc if the angles between the chord and both end tangents differ by less
+// than this value, rad.
 constexpr double kOneCircle = 1e-9;
 // The first number is the shortest length of a biarc, relative to the arc. The second is the error
 // of the search for the longest possible biarc, relative to its length. Lengths are measured in the
@@ -49,10 +49,10 @@ Biarc join(const End& a, const End& b) {
   if (std::abs(turn_a - turn_b) < kOneCircle) return {b.point, 1, {bulge_of(a.tangent, v), 0.0}};
   const double along = v.dot(a.tangent + b.tangent);
   const double open = 2.0 * (1.0 - a.tangent.dot(b.tangent));
-  // This form of the positive root avoids cancellation.
+  // d is the positive root of the quadratic equation in biarc.hpp, in a form without cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
-  // The same formula gives the second arc, with both ends exchanged and reversed.
+  // The second arc follows from the same formula, with exchanged ends and reversed direction.
   return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
 }
 
@@ -147,8 +147,8 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // If the error exceeds twice the tolerance, more samples cannot correct it. The reason is that
-    // the curve needs more than 4096 steps, or that rounding errors are too large.
+    // If the error exceeds twice the tolerance, more samples do not help. The curve then needs more
+    // than 4096 steps, or rounding errors are too large.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;

@@ -37,8 +37,7 @@ struct BiarcChain {
 ///           (2) one arc represents a circular arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
-/// The closed outline of the whole gear, made of true circular arcs as one chain of points and
-/// bulges.
+/// The closed outline of the whole gear in true circular arcs, as a chain of points and bulges.
 struct BiarcContour {
   std::vector<Vec2> points;    ///< mm, counter-clockwise
   std::vector<double> bulges;  ///< bulges[i]: arc from points[i] to the next point, cyclically

@@ -83,7 +83,7 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 
   std::vector<Column> columns = right;
   const auto mirror = [](const Vec2& v) { return Vec2(-v.x(), v.y()); };
-  const std::size_t on_axis = bore.has_keyway() ? 0 : 1;  // the top point is symmetric
+  const std::size_t on_axis = bore.has_keyway() ? 0 : 1;  // a point on the axis is not mirrored
   for (std::size_t i = right.size() - on_axis; i-- > 1;) {
     columns.push_back({mirror(right[i].point), mirror(right[i].after), mirror(right[i].before)});
   }

@@ -31,8 +31,8 @@
 
 namespace gearwright {
 
-/// Points, edges and faces of a solid agree within this distance, mm. The file states it as its
-/// uncertainty.
+/// Points, edges and faces of a solid agree within this distance, mm. The file states this distance
+/// as its uncertainty.
 inline constexpr double kBrepUncertainty_mm = 1e-7;
 static_assert(kHelixTarget_mm <= kBrepUncertainty_mm / 2);
 
@@ -42,7 +42,7 @@ struct Brep {
   std::size_t edge_count;  ///< number of edges; each shared edge counts once
 };
 
-/// The faces of a gear: its walls and, if its flanks are modified, the fit of its teeth.
+/// The faces of a gear, which are its walls and, if its flanks are modified, the fit of its teeth.
 struct GearFaces {
   BodyWalls walls;
   std::optional<ModifiedFit> fit;

@@ -103,8 +103,7 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   return finish(body.name);
 }
 
-// Adds, as a face, the part of the plane at the height z that lies inside `outer` and outside
-// `inner`.
+// Adds as a face the part of the plane at the height z inside `outer` and outside `inner`.
 void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
   Ids loops{loop(outer)};
   if (inner != nullptr) loops.push_back(loop(*inner));
@@ -138,9 +137,9 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// Returns a coordinate system on the axis of the gear. In a call, at most one argument may write
-// instances. If two arguments wrote instances, the numbers of these instances would depend on the
-// compiler, because C++ does not define the order in which arguments are evaluated.
+// Returns a coordinate system on the axis of the gear. In each call, only one argument writes
+// instances of the file. The instances would otherwise have numbers that depend on the compiler,
+// because C++ does not define the order in which arguments are evaluated.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());

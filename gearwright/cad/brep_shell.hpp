@@ -79,7 +79,7 @@ class ShellWriter {
   Edge spline_edge(const Corner& from, const Corner& to, std::size_t n, const WallKnots& knots,
                    const std::function<Vec3(std::size_t)>& pole);
 
-  /// The edges around a face. `bottom` and `top` run along the loop, `left` and `right` run
+  /// The edges around a face. `bottom` and `top` run along the loop, and `left` and `right` run
   /// upwards.
   struct Sides {
     const Edge& bottom;

@@ -16,7 +16,7 @@ constexpr double kShortestArc = 1e-6;  // mm, 1/100 of the resolution of machine
 constexpr double kOnItsRay = 1e-6;     // mm, tolerance for points on a centre line
 constexpr int kArcLooks = 32;          // number of points per arc that are examined
 
-// Adding zero turns −0 into 0. Equal points are then written as equal text.
+// Adding zero turns −0 into 0, so that equal points are written as equal text.
 Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
@@ -35,7 +35,7 @@ std::vector<Link> links_of(const Outline& outline) {
   for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     GW_EXPECTS(i == 0 || arc.begin_point == outline.arcs[i - 1].end_point);
-    // The middle is also examined, because a long arc may end at its beginning.
+    // The middle is also examined, because a long arc may end where it begins.
     const double reach = std::max((arc.point(0.5) - arc.begin_point).norm(),
                                   (arc.end_point - arc.begin_point).norm());
     if (reach < kShortestArc) continue;

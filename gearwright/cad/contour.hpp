@@ -3,11 +3,11 @@
 //   k     tooth number, 0 … |z| − 1; tooth k is tooth 0 turned by 2πk/|z|, and quarter turns are
 //         exact
 //
-// For external and internal gears, the contour runs counter-clockwise about the axis. The order of
-// its pieces is: tip land of tooth 0, upper half of tooth 0 from tip to root, root land, lower
-// (mirrored) half of tooth 1 from root to tip, tip land of tooth 1, and so on. Both halves of a
-// land form one piece, a true circle about the axis. Every other piece is an arc of the outline,
-// mirrored and turned.
+// For external and internal gears, the contour runs counter-clockwise about the axis. It begins
+// with the tip land of tooth 0 and the upper half of tooth 0 from tip to root. The root land and
+// the lower (mirrored) half of tooth 1 from root to tip follow. The next piece is the tip land of
+// tooth 1, and so on. Both halves of a land form one piece, a true circle about the axis. Every
+// other piece is an arc of the outline, mirrored and turned.
 //
 //   Laws  (1) the end of each piece is identical to the start of the next, and the contour is
 //             closed

@@ -26,8 +26,7 @@ struct ContourOptions {
 
 /// Wire cutting machines resolve about 1 µm. The finest tolerances of cut parts are a few µm.
 inline constexpr double kBiarcTolerance_mm = 0.001;
-/// With this tolerance, dimensions that are measured in a CAD system are correct in all displayed
-/// digits.
+/// With this tolerance, dimensions measured in a CAD system are correct in all displayed digits.
 inline constexpr double kSplineTolerance_mm = 1e-6;
 /// A tenth of the resolution of a plotter or of a browser at the greatest zoom.
 inline constexpr double kSvgTolerance_mm = 1e-4;

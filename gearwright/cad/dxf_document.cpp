@@ -44,8 +44,8 @@ void header(DxfPairs& out, int handle_seed, const SheetBox& extent) {
   out.word(0, "ENDSEC");
 }
 
-// Writes the table of line types. In a pattern, a positive length is a dash, and a negative length
-// is a gap.
+// Writes the table of line types. In a pattern, positive lengths are dashes, and negative ones are
+// gaps.
 void line_types(DxfPairs& out, bool chain) {
   begin_table(out, "LTYPE", kLtypes, chain ? 4 : 3);
   for (const auto& [handle, name] :

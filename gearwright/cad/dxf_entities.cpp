@@ -79,9 +79,9 @@ void DxfEntities::text(const std::string& layer, const Vec2& where, const std::s
 
 void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point,
                                   const Vec2& end_point, double sweep) {
-  // The arc is divided into pieces of at most a quarter turn. A piece has three poles: its start,
-  // the intersection of the tangents at both ends, and its end. The weights of these poles are 1,
-  // cos(half the angle), 1.
+  // The arc is divided into pieces of at most a quarter turn. The poles of a piece are its start,
+  // the intersection of the tangents at both ends, and its end. Their weights are 1, the cosine of
+  // half the angle of the piece, and 1.
   const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 2 + 1e-9)));
   const double half = sweep / (2 * pieces);
   const double weight = std::cos(half);

@@ -24,7 +24,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMmPerPx = kMmPerInch / 96;  // one CSS px is 1/96 inch
-constexpr double kBold = 0.03;  // bold letters have a line of this width, relative to their size
+constexpr double kBold = 0.03;  // width of the outline of bold letters, relative to their size
 
 using Tree = boost::property_tree::ptree;
 using Px = std::complex<double>;  // a point x + iy with y down, px
@@ -108,8 +108,7 @@ class PictureReader {
     return scale_.corner + scale_.mm_per_px * Vec2(p.real(), height_ - p.imag());
   }
 
-  // Draws an element. `styled` is false for shapes in definitions, to which the style sheet does
-  // not apply.
+  // Draws an element. `styled` is false for shapes in definitions, which ignore the style sheet.
   void draw(const std::string& tag, const Tree& node, const Mapping& parent, Style style,
             std::optional<SheetBox> clip, bool styled) {
     if (tag == "defs" || tag == "clipPath") return;
@@ -141,8 +140,7 @@ class PictureReader {
     if (!(ink->fill || ink->stroke) || (scale_.outlines && !styled && !ink->stroke)) return;
     const std::size_t first = sheet_.paths.size();
     add_pieces(d, place);
-    // Paths outside the sheet are omitted. In a figure of a mesh, most teeth of the gears are
-    // outside.
+    // Paths outside the sheet are omitted. In a figure of a mesh, most teeth are outside.
     if (!scale_.outlines && !on_sheet(first)) sheet_.paths.resize(first);
     for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
       sheet_.paths[i].ink = ink;

@@ -14,7 +14,6 @@
 
 namespace gearwright {
 
-/// The size of a picture on its sheet.
 struct PictureScale {
   double mm_per_px;
   Vec2 corner = Vec2::Zero();  ///< mm, the lower left corner of the picture

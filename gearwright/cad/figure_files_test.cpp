@@ -65,7 +65,7 @@ TEST(FigureFiles, a_text_has_its_symbols_and_a_light_ground) {
   std::vector<SheetText> texts;
   for (const SheetText& t : sheet.texts)
     if (t.text == "ε" || t.text == "α" || t.text == " < 2") texts.push_back(t);
-  ASSERT_EQ(texts.size(), 6u);  // each first as its ground
+  ASSERT_EQ(texts.size(), 6u);  // each text follows its light ground
   for (std::size_t i = 0; i < 6; i += 2) {
     EXPECT_FALSE(texts[i].ink->fill);
     EXPECT_EQ(texts[i].ink->stroke, 0xFFFFFFu);
@@ -89,7 +89,7 @@ TEST(FigureFiles, the_mesh_in_dxf_has_the_scale_of_the_gears) {
   for (const std::size_t i : {0u, 1u})
     mesh.definitions += gear_definition(pair.gears[i], shapes[i]);
   const std::string dxf = figure_file(mesh, ".dxf").value();
-  // The tips of gear 2, about its axis at the centre distance.
+  // The tips of gear 2 are found by their distance from its axis, which is at the centre distance.
   double greatest = 0.0;
   int teeth = 0;
   std::size_t at = dxf.find("\nLWPOLYLINE\n");

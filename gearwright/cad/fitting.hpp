@@ -12,8 +12,8 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps. Each step is as long as a condition permits. Suppose that, if a
-// step fails, every longer step also fails. The number of steps is then the smallest possible one.
+// An interval is covered by steps that are as long as a condition permits. If the condition fails
+// for every step that is longer than a failing step, the number of steps is the smallest possible.
 // The condition "the error is within the tolerance" has this property if the error grows with the
 // length of the step.
 #pragma once
@@ -25,8 +25,7 @@
 
 namespace gearwright {
 
-/// Returns the distance of e from the circle through the origin with the normal N and the curvature
-/// κ.
+/// Returns the distance of e from the circle through the origin with normal N and curvature κ.
 ///
 /// Units     mm
 /// Domain    |N| = 1; κ = 0 gives the straight line

@@ -96,7 +96,7 @@ class EarClipper {
 
 double polar(const Vec2& p) { return std::atan2(p.y(), p.x()); }
 
-// Angle measured from `from`, in [0, 2π).
+// Returns the angle measured from `from`, in [0, 2π).
 double ahead(double angle, double from) {
   const double difference = std::remainder(angle - from, 2.0 * std::numbers::pi);
   return difference < 0.0 ? difference + 2.0 * std::numbers::pi : difference;

@@ -1,9 +1,9 @@
 // Triangulates plane regions, which are the end faces of bodies.
 //
-// A triangulation covers a region exactly once under two conditions: all its triangles are
-// counter-clockwise, and its boundary is the boundary of the region. The reason is that the
-// boundary winds once about each inner point, and each triangle around the point adds one to the
-// winding number. Both functions here make counter-clockwise triangles.
+// A triangulation covers a region exactly once if all its triangles are counter-clockwise and if
+// its boundary is the boundary of the region. The reason is that the boundary winds once about each
+// inner point, and each triangle around the point adds one to the winding number. Both functions
+// here make counter-clockwise triangles.
 #pragma once
 
 #include <optional>

@@ -26,9 +26,9 @@ constexpr auto kOutline = SheetLayer::outline;
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 12;
-// For a gear without a bore, mm: kAxisDatum is the distance of the datum symbol from the left face,
-// and kAxisEnd is the length of the axis beyond this face. The axis then ends 2 mm from the axis of
-// the transverse view.
+// Lengths in mm for a gear without a bore. The datum symbol is kAxisDatum from the left face, and
+// the axis extends by kAxisEnd beyond this face. The axis then ends 2 mm from the axis of the
+// transverse view.
 constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
 
 std::string with_fit(const std::string& size, const std::string& fit) {
@@ -106,8 +106,7 @@ class GearViews : public SheetViews {
     return all;
   }
 
-  // Returns the lengths of the axial section on paper, with the dimensions and the datum to its
-  // left.
+  // Returns the lengths of the axial section on paper, with dimensions and datum to its left.
   AxialSection section() const {
     const bool grooved = input_.body.grooved();
     const double gap = grooved ? k_ * input_.body.two_helices->gap : 0.0;
@@ -181,7 +180,7 @@ class GearViews : public SheetViews {
     const auto metal = [&](double lo, double hi) {
       hatch(*sheet_, {origin_ + Vec2(x0, lo), origin_ + Vec2(x1, hi)});
     };
-    // Between this radius and the bore or the rim, there are no teeth.
+    // There are no teeth between this radius and the bore or the rim.
     const double limit = input_.body.limit_within(root_);
     if (input_.body.grooved())
       grooved(x0, x1, limit);
@@ -262,8 +261,8 @@ class GearViews : public SheetViews {
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm on the gear
   double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm
-  // mm on paper: room to the left of the origin, and left end, width and right margin of the
-  // axial view
+  // mm on paper, in this order: room to the left of the origin, then left end, width and right
+  // margin of the axial view
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;
   std::optional<Callouts> callouts_;
   Sheet* sheet_ = nullptr;

@@ -20,17 +20,18 @@ namespace gearwright {
 namespace {
 
 // The turn Δ between two levels satisfies ρΔ² = 2ε, where ε is the chord tolerance and ρ the
-// largest radius. On the tip land, d = a²/(8ρ). With a chord a = ρΔ, the three terms of (M1),
-// multiplied by 8, are 2ε, 4ε and 2ε. This choice of Δ gives the fewest triangles.
+// largest radius. The section of the tip land deviates from its chord a by d = a²/(8ρ). If a = ρΔ,
+// the three terms of (M1) in mesh.hpp, multiplied by 8, are 2ε, 4ε and 2ε. This choice of Δ gives
+// the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
 // In a thin wall, the chords of the two sides must not meet. The tolerance is therefore at most
 // this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
 
-// A mesh beyond these limits is rejected. The limit of vertices corresponds to a file of 200 MB,
-// which printers cannot read. The triangulation of the cap of a tooth has a cost that is quadratic
-// in the number of points. At the limit of points, it takes a few seconds.
+// A mesh that exceeds one of these limits is rejected. A file with kVerticesMax vertices has 200
+// MB, which printers cannot read. With kHalfPointsMax points on half a tooth, the triangulation of
+// a cap takes a few seconds, because its time grows with the square of the number of points.
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 

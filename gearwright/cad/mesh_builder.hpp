@@ -32,7 +32,6 @@ struct Levels {
   }
 };
 
-/// The position of a column at one level.
 struct RingPoint {
   Vec2 point;          ///< mm
   Vec3 before, after;  ///< unit normals, pointing out of the material

@@ -4,8 +4,8 @@
 //
 // A circle divides each cap. The triangles between the teeth and the circle are computed for one
 // half pitch and repeated for all others. For an internal gear, the circle is the rim or the
-// groove. For an external gear, the cap also contains the inner part: the ring between the circle
-// and the bore or the groove, or the full disc inside the circle.
+// groove. For an external gear, the cap also contains the inner part. This is the ring between the
+// circle and the bore or the groove, or the full disc inside the circle.
 #pragma once
 
 #include <array>

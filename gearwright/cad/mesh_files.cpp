@@ -24,8 +24,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// Returns the normal of a triangle. As in the file, the corners of the triangle are rounded to
-// float32.
+// Returns the normal of a triangle whose corners are rounded to float32, as in the file.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();

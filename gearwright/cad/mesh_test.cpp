@@ -98,7 +98,7 @@ double perimeter(const Outline& outline) {
   return 2.0 * sum * std::abs(outline.teeth);
 }
 
-// The angle by which the section is turned at the height z.
+// Returns the angle by which the section is turned at the height z.
 double turn_at(const ToothedBody& body, double z) {
   if (!body.two_helices) return body.twist * z;
   return body.twist * std::abs(z) + (z < 0.0 ? body.two_helices->stagger : 0.0);

@@ -17,7 +17,7 @@ namespace {
 using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids, brep::Rims,
     brep::Side;
 
-// A wall of tooth 0: an arc of one side, or a land. The walls are in counter-clockwise order.
+// A wall of tooth 0, which is an arc of one side or a land. The order is counter-clockwise.
 struct ToothWall {
   std::optional<std::size_t> arc;  // none for a land
   bool left;                       // true on the left side, where the poles run from tip to root
@@ -40,7 +40,8 @@ class ModifiedWriter {
     Corners below = base ? base->corners : corners_at(0);
     Edges floor = base ? base->edges : level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
-    // For each wall, the upright edges at its start, one for each layer above the last plane.
+    // chain[i] has the upright edges at the start of wall i, one for each layer above the last
+    // plane.
     std::vector<Edges> chain(n);
     std::size_t plane = 0;
     Edges plane_floor = floor;

@@ -20,10 +20,10 @@ namespace {
 constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
 constexpr int kLineChecks = 12, kFaceChecks = 8;  // checked points between neighbouring knots
 constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
-// Least distance between a plane and the line at which an end relief begins, relative to the height
-// of a slice. The removal of the material c moves this line out of its plane z = const. Its
-// displacement is c sin β_b, about a hundredth of a module. The line must therefore keep a distance
-// from the plane.
+// Least distance between a plane of a slice and the line at which an end relief begins, relative to
+// the height of a slice. The removed material c moves this line out of its own plane z = const by c
+// sin β_b, about a hundredth of a module. Without this distance, the moved line could cross the
+// plane of the slice.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 

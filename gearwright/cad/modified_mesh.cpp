@@ -13,7 +13,8 @@ namespace {
 // Permitted error of the removed material c within a facet, relative to the greatest c. A crowning
 // then has at least three steps.
 constexpr double kVisibleShare = 0.1;
-// Steps of the finite differences that give the normals: in u, and in z relative to the face width.
+// Steps of the finite differences that give the normals. The first is a step in u. The second is a
+// step in z, relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
 // Greatest number of halvings of a segment. It is also the greatest number of doublings of the
 // levels between two starts of reliefs.
@@ -145,14 +146,12 @@ class GridMaker {
   std::vector<ProbedRow> rows_;  // rows in which segments are examined
 };
 
-// The row at a level, and the rows just below and just above. The normals are computed from these
-// rows.
+// The row at a level, and the rows just below and above it. Normals are computed from these rows.
 struct Rows {
   ModifiedSide::Row here, below, above;
 };
 
-// Returns the outward normal at u on an arc. The finite differences are taken towards the inside of
-// the arc.
+// Returns the outward normal at u on an arc, by finite differences towards the inside of the arc.
 Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& rows,
                const Vec2& cut_normal) {
   const double h = u > 0.5 ? -kStepU : kStepU;

@@ -26,8 +26,7 @@ struct ModifiedGrid {
   std::vector<double> levels;      ///< mm, in ascending order
 };
 
-/// Makes the grid from the section as cut, and from the step along the face that the twist
-/// requires.
+/// Makes the grid from the section as cut and the step along the face that the twist requires.
 ///
 /// Units     mm
 ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint> half, double width,

@@ -266,7 +266,7 @@ TEST(ModifiedMesh, a_relief_begins_at_a_crease) {
   EXPECT_GE(creases, 2 * 21);
 }
 
-// A tip relief of the given amount that covers most of the flank.
+// Returns a tip relief of the given amount that covers most of the flank.
 FlankModifications relief(const Gear& gear, double amount) {
   const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
   FlankModifications m;
@@ -274,7 +274,7 @@ FlankModifications relief(const Gear& gear, double amount) {
   return m;
 }
 
-// The reason why teeth remain as cut, or an empty string if they have their modifications.
+// Returns the reason why teeth remain as cut, or an empty string if they have their modifications.
 std::string reason(const CylindricalSpec& spec, double amount) {
   const Gear gear = make_gear(spec).value();
   const FlankModifications m = relief(gear, amount);

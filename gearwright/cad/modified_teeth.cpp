@@ -17,8 +17,8 @@ namespace {
 // If the tangents of two arcs of a flank differ by at most this angle at the joint, rad, the arcs
 // form one surface.
 constexpr double kSmooth = 1e-6;
-// Least length of a part of a divided arc, mm. If a start of a relief would give a shorter part, it
-// does not divide the arc. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
+// Least length of a part of a divided arc, mm. The start of a relief does not divide an arc if one
+// of the parts would be shorter. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
 // Step of a finite difference, as a fraction of the arc's parameter. The difference gives the slope
 // of the curvature at the end of an arc.
@@ -273,8 +273,7 @@ double ModifiedTeeth::removed_volume(double face_width) const {
     const ModifiedSide& s = side(left);
     for (int i = 0; i <= kRows; ++i) {
       const ModifiedSide::Row row = s.plane(face_width * (static_cast<double>(i) / kRows - 0.5));
-      // Twice the area between the outline as cut and the modified outline, with both outlines as
-      // polygons.
+      // Twice the area between the outline as cut and the modified outline, both taken as polygons.
       double area = 0.0;
       Vec2 cut_before, moved_before;
       bool begun = false;
@@ -285,7 +284,6 @@ double ModifiedTeeth::removed_volume(double face_width) const {
           const Vec2 cut = outline().arcs[arc].point(u);
           const Vec2 moved = turned(s.point(arc, u, row).head<2>(), -s.twist() * row.z);
           if (begun) {
-            // The quadrangle between two pairs of points.
             area += cross(moved - cut_before, cut - moved_before);
           }
           cut_before = cut;

@@ -2,8 +2,8 @@
 //
 //   c(u, ζ)   material removed along the normal, mm, at the nominal point with the radius e^u mm
 //             and the height ζ (gear/modifications.hpp)
-//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; p(a) point of the outline, n its
-//             normal there
+//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; R rotation about z, p(a) point
+//             of the outline, k unit vector along z, n normal of the flank
 //   ζ, z      heights of the nominal and of the moved point, mm; z = ζ − c n_z
 //   w         weight of a fade, from 1 at the form diameter to 0 at the root or the tip
 //
@@ -11,7 +11,7 @@
 // The lower half, which contains the right flank, is mirrored together with its twist. The flank
 // moves by c along its normal. The edge of the flank on the tip land is the line where the moved
 // flank meets the tip cylinder. The root fillet, and a tip fillet or chamfer, follow the end of the
-// flank: they move by w times the displacement of that end. Because w is a smooth step function of
+// flank. They move by w times the displacement of this end. Because w is a smooth step function of
 // the radius, these parts still join the root land and the tip land as cut. Lands are cylinders.
 //
 // Rows   A row is a curve across the half tooth, from root to tip, in a layer between two levels. A

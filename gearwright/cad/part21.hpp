@@ -44,7 +44,7 @@ class Part21 {
 
   Part21Id point(const Vec3& p);
   Part21Id direction(const Vec3& d);
-  /// AXIS2_PLACEMENT_3D: origin, z axis, x axis.
+  /// Adds an AXIS2_PLACEMENT_3D.
   Part21Id placement(Part21Id origin, Part21Id z, Part21Id x);
 
   std::string finish() &&;
@@ -59,9 +59,7 @@ class Part21 {
 
 /// Appends references, such as "(#4,#5)", with at most twelve in a line.
 void append_ids(std::string& text, const std::vector<Part21Id>& ids);
-/// Appends reals, such as "(0.,0.25,1.)".
 void append_reals(std::string& text, const std::vector<double>& values);
-/// Appends integers, such as "(6,1,6)".
 void append_integers(std::string& text, const std::vector<int>& values);
 
 }  // namespace gearwright

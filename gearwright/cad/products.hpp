@@ -16,7 +16,6 @@
 
 namespace gearwright {
 
-/// The application protocol that a file follows.
 struct StepProtocol {
   const char* schema;   ///< schema name for the header
   const char* name;     ///< name in the definition of the protocol

@@ -143,8 +143,7 @@ class RackMesher {
     return made;
   }
 
-  // Adds a wall below the border. Its outward normal is ±z on a side of the bar, and ±y on an end
-  // of the bar.
+  // Adds a wall below the border. Its outward normal is ±z on a side of the bar, and ±y on an end.
   void border(std::uint32_t a, std::uint32_t b, std::uint32_t back_b, std::uint32_t back_a) {
     const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b];
     const bool side = p.z() == q.z() && std::abs(p.z()) == plan_.width() / 2;

@@ -86,10 +86,10 @@ Vec2 RackPlan::at(double s, double z) const {
   return {std::clamp(s + slope_ * z, -length_ / 2, length_ / 2), z};
 }
 
-// Returns the low or the high end point of a line of constant s. (y, z) is the corner that this
-// point passes when s changes, and `corner` is the s of the corner. The point lies on the end face
-// y if s is below `corner` and y < 0, or if s is above `corner` and y > 0. In all other cases, and
-// always for a spur rack, the point lies on the side z. Corners are exact.
+// Returns the low or the high end point of a line of constant s. When s changes, this point passes
+// the corner (y, z), at which s has the value `corner`. The point lies on the end face y if s is
+// below `corner` and y < 0, or if s is above `corner` and y > 0. In all other cases, and always for
+// a spur rack, the point lies on the side z. Corners are exact.
 Vec2 RackPlan::end_of_line(double s, double z, double corner, double y) const {
   if (slope_ == 0.0) return at(s, z);
   const double top = std::copysign(width_ / 2, slope_);

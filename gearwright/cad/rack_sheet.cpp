@@ -170,9 +170,9 @@ class RackViews : public SheetViews {
            std::vector<double>(5, 0.0), false);
   }
 
-  // Draws the outline around the middle x. Its last three points are the corner of the roots at the
-  // end y > 0 and the two corners of the back. If the outline is open at one end, its line starts
-  // and ends at that end.
+  // Draws the outline with its middle at x. Its last three points are the corner of the roots at
+  // the end y > 0 and the two corners of the back. If the outline is open at one end, its line
+  // starts and ends at that end.
   enum class Open { none, right, left };
   void profile(double x, Open open) {
     const std::size_t n = outline_.points.size(), first = open == Open::left ? n - 2 : 0;
@@ -261,8 +261,8 @@ class RackViews : public SheetViews {
   const BiarcContour& outline_;
   double k_;  // mm on paper per mm on the rack
   bool interrupted_ = false;
-  // mm on paper: right end of the section (the left end is at −right_), back and tips, shelf of the
-  // flank texture, left end of the end view, face width, and upper edge of the plan
+  // mm on paper, in this order: right end of the section (the left end is at −right_), back, tips,
+  // shelf of the flank texture, left end of the end view, face width, upper edge of the plan
   double right_ = 0, back_ = 0, tip_ = 0, shelf_ = 0, end_ = 0, face_ = 0, top_ = 0;
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();

@@ -28,14 +28,14 @@ namespace gearwright {
 
 using Complex = std::complex<double>;
 
-/// The target and the greatest permitted value of e, mm. The finest tolerance in the profile
-/// measurement of gears is 1 µm, and the target is 1/50 of it. If a surface exceeds the greatest
-/// value, the result is an error.
+/// The target and the greatest permitted value of e, mm. The target is 1/50 of the finest tolerance
+/// in the profile measurement of gears, which is 1 µm. If e exceeds the greatest value, the result
+/// is an error.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
 /// The target of R|ε|, mm, at the greatest radius R. The spline of a helix is the common edge of a
-/// flank and a true cylinder. All edges and vertices have the tolerance 1e-7 mm, and the target is
-/// half of it.
+/// flank and a true cylinder. The target is half of 1e-7 mm, the tolerance of all edges and
+/// vertices.
 inline constexpr double kHelixTarget_mm = 5e-8;
 
 struct SectionSpline {
@@ -52,7 +52,7 @@ struct SectionSpline {
 /// The parameter u follows the curve's own parameter or the arc length. The one that needs fewer
 /// poles is used. A trochoid needs fewer poles with the arc length, and an involute near its base
 /// circle needs fewer poles with the roll angle. The curve's own parameter is used only if its
-/// slowest speed exceeds 1/100 of the mean. Where the speed is 0, a spline has no normal.
+/// slowest speed exceeds 1/100 of the mean, because a spline has no normal where the speed is 0.
 ///
 /// Units     mm
 /// Domain    the ends of the arc lie within 1e-5 mm of its curve

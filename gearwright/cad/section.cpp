@@ -105,7 +105,7 @@ double bore_area(const Bore& bore) {
 double metal_area(const ToothedBody& body) {
   if (body.rack) {
     // ∫ x dy over the half outline is the area above the datum line. The area below this line is a
-    // rectangle. If the section of a tooth crosses one end of the bar, the missing part is at the
+    // rectangle. If one end of the bar cuts off a part of a tooth, an equal part is added at the
     // other end, so every section has the same area.
     static const Rule rule = make_rule();
     double half = 0.0;

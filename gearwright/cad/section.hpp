@@ -1,5 +1,4 @@
-// Computes the areas of the transverse section and the volume of the exact solid, without a CAD
-// kernel.
+// Computes areas of the transverse section and the volume of the exact solid without a CAD kernel.
 //
 //   A    area enclosed by the outline of all teeth, mm²
 //   r    bore radius, w keyway width, t keyway depth from the bore circle, mm

@@ -139,8 +139,8 @@ struct Sign {
   char32_t code;
   unsigned char symbol;
 };
-// The Unicode code point and the code in the font Symbol of each sign: minus, minute, second,
-// ≤, ≥, ≈, ≠, ∞, √, →.
+// The Unicode code point and the code in the font Symbol of each sign, in the order minus, minute,
+// second, ≤, ≥, ≈, ≠, ∞, √, →.
 constexpr std::array<Sign, 10> kSigns{{{0x2212, 0x2D},
                                        {0x2032, 0xA2},
                                        {0x2033, 0xB2},

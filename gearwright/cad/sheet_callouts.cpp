@@ -14,15 +14,15 @@ namespace {
 constexpr auto kLeaders = SheetLayer::dimension;
 constexpr const char* kBoth = "2×";  // the requirement applies to both faces
 
-// Lengths in mm. kEnd: right end of the upper callouts. kFlankLeader, kBoreLeader: distances of
-// vertical leaders from the left face. kLeaderLength: length of the horizontal leader of the faces.
-// kApart: distance between two callouts. kClear: distance from lines of the views. kLeast: least
-// length of a leader with an arrow.
+// Lengths in mm. The upper callouts end at kEnd. The vertical leaders are at kFlankLeader and
+// kBoreLeader from the left face, and the horizontal leader of the faces has the length
+// kLeaderLength. Callouts are kApart from each other and kClear from the lines of the views. A
+// leader with an arrow has at least the length kLeast.
 constexpr double kEnd = -8, kFlankLeader = -2, kBoreLeader = -5, kLeaderLength = 6;
 constexpr double kApart = 1.5, kClear = 2, kLeast = 4;
-// Lengths in mm, measured from the outermost circle. kCentreLine: length of the centre lines beyond
-// the circle. kDimensionTop, kDatumTop: heights above the circle at which the dimensions and the
-// datum on the right-hand side end.
+// Lengths in mm, measured from the outermost circle. The centre lines extend by kCentreLine beyond
+// the circle. On the right-hand side, the dimensions end at the height kDimensionTop above the
+// circle, and the datum ends at kDatumTop.
 constexpr double kCentreLine = 3, kDimensionTop = 8, kDatumTop = 12;
 constexpr double kTipFrame = 0.8;   // distance from the circle up to the frame of the tip circle
 constexpr double kFaceLeader = -4;  // leader of the faces relative to the lower end of the section
@@ -139,8 +139,7 @@ void Callouts::draw(Sheet& sheet, const Vec2& origin) const {
   const auto line = [&](const Vec2& a, const Vec2& b) {
     sheet.line(kLeaders, origin + a, origin + b);
   };
-  // Draws a leader from `from` along the horizontal to the x of `tip`, and then vertically to
-  // `tip`.
+  // Draws a leader from `from` horizontally to the x of `tip`, and then vertically to `tip`.
   const auto leader = [&](const Vec2& from, const Vec2& tip) {
     const Vec2 corner(tip.x(), from.y());
     line(from, corner);

@@ -42,8 +42,8 @@ class Callouts {
 
   /// Returns the space that each callout covers, without its leader.
   std::vector<SheetBox> boxes() const;
-  /// Returns the distance between the centre of the transverse view and the left face that the
-  /// callouts need.
+  /// Returns the distance that the callouts need between the centre of the transverse view and the
+  /// left face.
   double distance() const;
   double top() const;    ///< greatest height of a callout above the axis
   double right() const;  ///< extent beyond the right face; 0 if no callout lies beyond this face

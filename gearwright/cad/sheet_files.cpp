@@ -17,7 +17,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr int kDecimals = 4;  // of a length in mm
+constexpr int kDecimals = 4;  // decimals of a length in mm
 // A cubic approximates an arc of at most π/8. The error is 4e-8 of the radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
@@ -58,8 +58,7 @@ class Content {
     out_ += "ET\n";
   }
   const std::string& text() const { return out_; }
-  // Returns the graphics states for "gs", as an entry of the resources. The text is empty if there
-  // are none.
+  // Returns the graphics states for "gs" as an entry of the resources, or "" if there are none.
   std::string states() const {
     std::string list;
     for (std::size_t i = 0; i < opacities_.size(); ++i)
@@ -261,8 +260,8 @@ std::string layer_of(const Mark& mark) {
   return mark.ink ? mark.ink->name : style_of(mark.layer).name;
 }
 
-// Returns the AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta.
-// For shades of grey, returns 7, the colour of the text.
+// Returns the AutoCAD colour index nearest to the hue of a colour, from 1 for red and 2 for yellow
+// to 6 for magenta. For shades of grey, returns 7, the colour of the text.
 int colour_index(std::uint32_t rgb) {
   const Eigen::Vector3i c(static_cast<int>(rgb >> 16), rgb >> 8 & 255, rgb & 255);
   int i = 0;

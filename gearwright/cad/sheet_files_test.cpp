@@ -15,7 +15,8 @@ namespace {
 Sheet blank() { return {{210, 297}, {}, {}, {}}; }
 
 TEST(SheetFont, widths_are_those_of_the_fonts) {
-  // Helvetica: A 667, n 556, space 278, Ø 778, ß 611, € 556. Symbol: α 631, Ω 768, − 549, ″ 411.
+  // The widths are, in Helvetica, A 667, n 556, space 278, Ø 778, ß 611, € 556, and in Symbol α
+  // 631, Ω 768, − 549, ″ 411.
   EXPECT_EQ(letter_of(U'A').width, 667);
   EXPECT_EQ(letter_of(U'Ø').width, 778);
   EXPECT_EQ(letter_of(U'ß').width, 611);

@@ -1,5 +1,5 @@
-// Makes the page of a workshop drawing: frame, title block, data table and the views of a part. The
-// scale is the largest scale of ISO 5455 at which the views fit. Internal to cad/.
+// Makes the page of a workshop drawing with frame, title block, data table and the views of a part.
+// The scale is the largest scale of ISO 5455 at which the views fit. Internal to cad/.
 #pragma once
 
 #include <functional>

@@ -10,9 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// Lengths in mm. kOff: gap between extension line and edge. kPast: projection beyond the dimension
-// line. kOverLine: distance between text and its line. kTail: length of the line behind an outside
-// arrow.
+// Lengths in mm. An extension line begins kOff from the edge and ends kPast beyond the dimension
+// line. A text is kOverLine from its line. The line behind an outside arrow has the length kTail.
 constexpr double kOff = 1, kPast = 1.5, kOverLine = 1.3, kTail = 6;
 constexpr double kInside = 10;  // least distance between the edges for arrows inside the extension
                                 // lines

@@ -1,5 +1,5 @@
-// Draws the parts of a workshop drawing: frame, title block, data table and dimensions. Only files
-// of cad/ include this header.
+// Draws the parts of a workshop drawing, which are frame, title block, data table and dimensions.
+// Only files of cad/ include this header.
 //
 // Frame and margins follow ISO 5457, the fields of the title block follow ISO 7200, and dimensions
 // follow ISO 129-1. Text is placed above its line and is read from below or from the right.

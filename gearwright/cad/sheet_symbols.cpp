@@ -12,8 +12,8 @@ namespace {
 
 constexpr auto kThin = SheetLayer::dimension;
 
-// Lengths in mm for h = 2.5 mm. kShort and kTextureHeight: heights of the two legs of the symbol of
-// surface texture. kBlank: width for a missing text. kNear: distance of a text from a line.
+// Lengths in mm for h = 2.5 mm. The legs of the symbol of surface texture have the heights kShort
+// and kTextureHeight. A missing text has the width kBlank. A text is kNear from a line.
 constexpr double kShort = 3.5, kBlank = 9, kNear = 0.6;
 // Side of the datum's triangle, and distance from its base to the box.
 constexpr double kTriangle = 3, kStem = kDatumHeight - kFrameHeight;
@@ -53,8 +53,7 @@ void draw_texture(Sheet& sheet, const Vec2& foot, std::string_view words) {
   sheet.line(kThin, foot, foot + right);
   sheet.line(kThin, foot + right, foot + Vec2(texture_right(words), kTextureHeight));
   if (texture.bar) sheet.line(kThin, foot + left, foot + Vec2(-left.x(), kShort));
-  // The circle touches both legs and the horizontal line through the upper end of the shorter
-  // leg.
+  // The circle touches both legs and the horizontal through the upper end of the shorter leg.
   if (texture.circle) sheet.circle(kThin, foot + Vec2(0, kShort * 2 / 3), kShort / 3);
   if (!texture.words.empty())
     sheet.text(kThin, foot + right + Vec2(kNear, -kUsual - 1), texture.words, kUsual);

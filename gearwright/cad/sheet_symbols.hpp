@@ -1,5 +1,5 @@
-// Draws the graphical symbols of a workshop drawing: surface texture, runout, datum and edge. The
-// symbols consist of lines and texts of a sheet, so every file format can contain them.
+// Draws the graphical symbols of a workshop drawing for surface texture, runout, datum and edge.
+// The symbols consist of lines and texts of a sheet, so every file format can contain them.
 // Internal to cad/.
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
@@ -16,8 +16,7 @@
 
 namespace gearwright {
 
-/// Heights of a symbol of surface texture, of a tolerance frame, and of a datum with its triangle,
-/// mm.
+/// Heights of a texture symbol, of a tolerance frame, and of a datum with its triangle, mm.
 inline constexpr double kTextureHeight = 7.5, kFrameHeight = 5.0, kDatumHeight = 9.5;
 /// Half of the width of the box of a datum, mm.
 inline constexpr double kDatumHalf = kFrameHeight / 2;
@@ -47,9 +46,9 @@ enum class DatumSide { above, below };
 /// Draws the triangle of the datum on a line at `at`, with its box on the given side.
 void draw_datum(Sheet& sheet, const Vec2& at, DatumSide side);
 
-/// Draws the symbol of an edge: an angle with its corner at `corner`. `lengths` are the signed
-/// lengths of the horizontal and the vertical line. The caller writes the permitted size of the
-/// edge within the angle.
+/// Draws the symbol of an edge, which is an angle with its corner at `corner`. `lengths` are the
+/// signed lengths of the horizontal and the vertical line. The caller writes the permitted size of
+/// the edge within the angle.
 void draw_edge(Sheet& sheet, const Vec2& corner, const Vec2& lengths);
 
 }  // namespace gearwright

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// Lengths in mm. kRow: height of a row. kWords, kSymbol, kValue: widths of the term, the symbol and
-// the value. kBetween: distance between two columns of the table.
+// Lengths in mm. A row has the height kRow. The term, the symbol and the value have the widths
+// kWords, kSymbol and kValue. Two columns of the table are kBetween from each other.
 constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
 // Distance of a text from the left edge of its cell, and of its base line from the lower edge, mm.
@@ -21,8 +21,8 @@ constexpr double kInset = 1.2, kBase = 1.4;
 
 double rows_of(const DataGroup& group) { return 1.0 + static_cast<double>(group.rows.size()); }
 
-// Returns the number of groups in the first column. It makes the longer of the two columns as short
-// as possible.
+// Returns the number of groups in the first column. With this number, the longer of the two columns
+// is as short as possible.
 std::size_t second_column(const std::vector<DataGroup>& groups) {
   double all = 0.0, before = 0.0, best = std::numeric_limits<double>::infinity();
   for (const DataGroup& g : groups) all += rows_of(g);
@@ -76,8 +76,8 @@ void draw_group(Sheet& sheet, double x, double& y, const DataGroup& group) {
     sheet.line(SheetLayer::data, {x + column, top}, {x + column, y});
 }
 
-// Lengths in mm (ISO 5457). kFiling: left margin, which is wider for filing. kMargin: other
-// margins. kMark: length of the centring marks.
+// Lengths in mm (ISO 5457). The left margin kFiling is wider than the other margins kMargin, for
+// filing. The centring marks have the length kMark.
 constexpr double kFiling = 20, kMargin = 10, kMark = 5;
 constexpr double kWidth = 180;  // width of a title block, ISO 7200
 constexpr double kFieldRow = 9, kTitle = 16;
@@ -129,8 +129,8 @@ void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cel
   }
 }
 
-// Draws the symbol of first-angle projection (ISO 5456-2): a truncated cone and its view from the
-// left.
+// Draws the symbol of first-angle projection (ISO 5456-2), which is a truncated cone and its view
+// from the left.
 void first_angle(Sheet& sheet, const Vec2& middle) {
   constexpr double kHeight = 4, kSmallEnd = 2, kLength = 4, kApart = 3;  // mm
   const auto line = [&](const Vec2& a, const Vec2& b) {

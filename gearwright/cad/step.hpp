@@ -48,8 +48,8 @@ struct StepFace {
 struct StepReport {
   std::vector<StepFace> faces;    ///< faces of one half tooth from root to tip, body by body
   double max_deviation_mm = 0.0;  ///< greatest deviation of all faces
-  /// Volume of all bodies: the exact section area times the face width, minus the volume removed by
-  /// modifications. The error of the removed volume is 1e-6 of the volume of the body.
+  /// Volume of all bodies. It is the exact section area times the face width, minus the volume
+  /// removed by modifications. The error of the removed volume is 1e-6 of the volume of the body.
   double volume_mm3 = 0.0;
   std::size_t face_count = 0;  ///< faces of all solids; a shared shape counts once
   std::size_t edge_count = 0;  ///< edges of all solids; each shared edge counts once

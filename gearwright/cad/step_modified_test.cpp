@@ -82,8 +82,8 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
   }
 }
 
-// One spur, one helical, one internal gear and two double-helical gears, because a kernel needs
-// seconds for each check.
+// Returns only one spur, one helical and one internal gear and two double-helical gears, because a
+// kernel needs seconds for each check.
 std::vector<ModifiedGear> solid_gears() {
   std::vector<ModifiedGear> all = modified_gears(4.0);
   all.erase(all.begin() + 2, all.begin() + 4);

@@ -38,7 +38,7 @@ using testing::volume;
 struct Case {
   std::string name;
   ToothedBody body;
-  std::size_t faces;  // number of walls × slices, bore walls and two caps
+  std::size_t faces;  // walls × slices, plus the walls of the bore and two caps
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
@@ -117,8 +117,8 @@ struct SolidFile {
   ReadStep read;
 };
 
-// The file of a case as another kernel reads it. The tests of a case share it, because reading
-// takes longer than most of them.
+// Returns the file of a case as another kernel reads it. The tests of a case share it, because
+// reading takes longer than most of them.
 const SolidFile& file_of(const Case& c) {
   static std::map<std::string, SolidFile> read;
   const auto [at, added] = read.try_emplace(c.name);

@@ -1,5 +1,5 @@
-// Reads the part of CSS that figure_style.css uses: rules with classes and elements, variables, and
-// the colours for paper. Internal to cad/.
+// Reads the part of CSS that figure_style.css uses. This part consists of rules with classes and
+// elements, variables, and the colours for paper. Internal to cad/.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ const StyleSheet& figure_styles();
 /// Sets the properties "name:value;…". Values with color-mix() are ignored.
 void apply_declarations(std::string_view declarations, Style& style);
 
-/// Returns the value of a property, or "" if the property is absent. If the value is a reference
-/// var(…), returns the value of this variable.
+/// Returns the value of a property, or an empty text if the property is absent. If the value is a
+/// reference var(…), returns the value of this variable.
 std::string text_in(const Style& style, std::string_view name);
 double number_in(const Style& style, std::string_view name, double absent);
 /// Returns the colour 0xRRGGBB, or none for "none". If the property is absent, returns `absent`.

@@ -1,4 +1,4 @@
-// Writes the transverse section as SVG: one path, in millimetres.
+// Writes the transverse section as one SVG path, in millimetres.
 //
 // The profile is the first subpath, and the bore or rim is the second. The path is filled by the
 // even-odd rule, so a gear has a visible bore, and an internal gear has a visible rim. Lands are
@@ -19,8 +19,7 @@ struct SvgOptions {
   double tolerance_mm = kSvgTolerance_mm;  ///< permitted normal distance of the Bézier curves
 };
 
-/// Returns the text of an SVG file of the section z = 0 of the body. Width, height and viewBox are
-/// in mm.
+/// Returns the text of an SVG file of the section z = 0. Width, height and viewBox are in mm.
 ///
 /// Units     mm, written with ten decimals
 /// Domain    tolerance_mm > 0; the laws of the outline hold within 1e-6 mm (contract)

@@ -48,8 +48,7 @@ struct RackBlock {
   double middle_of(int k, int n) const { return (k - (n - 1) / 2.0) * pitch; }
 };
 
-/// The data that make an outline a double-helical gear. The half at z > 0 has the twist of the
-/// body.
+/// The data of a double-helical gear. The half at z > 0 has the twist of the body.
 struct TwoHelices {
   double gap = 0.0;            ///< mm, between the halves
   double groove_radius = 0.0;  ///< mm, radius of the gear within the gap; unused without a gap
@@ -119,7 +118,6 @@ struct ToothedBody {
   double neck = 0.0;       ///< radius of the cylinder below a gear in `above`, mm
   std::string separate{};  ///< the reason why the gear is not joined to another gear of its body
 
-  /// True for an internal gear.
   bool ring() const { return outline.teeth < 0; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
@@ -141,8 +139,8 @@ struct ToothedBody {
 };
 
 /// Colours that distinguish gears in contact in every viewer. The values are linear RGB. They
-/// differ clearly in lightness as well as in hue: steel, bronze, blue, green, and for larger drives
-/// ochre, purple, teal and dark grey.
+/// differ clearly in lightness as well as in hue. The colours are steel, bronze, blue, green and,
+/// for larger drives, ochre, purple, teal and dark grey.
 inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49, 0.53},
                                                                     {0.55, 0.34, 0.14},
                                                                     {0.12, 0.26, 0.48},

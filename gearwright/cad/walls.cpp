@@ -63,8 +63,7 @@ Wall turned(Wall wall, long long k, long long n) {
   return wall;
 }
 
-// Spline walls of the lower half (mirrored, from root to tip) and of the upper half (from tip to
-// root).
+// Spline walls of the lower half (mirrored, root to tip) and of the upper half (tip to root).
 struct SplinePair {
   Wall lower;
   Wall upper;

@@ -100,9 +100,9 @@ Error no_spline(std::string_view face, double deviation);
 ///           (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 
-// The layers of a body, which are the parts between the planes that cut its walls, and the path of
-// a section point through one layer. Pole (j, i) of a wall in a slice is h_j c_i at the height z_j.
-// h_j and z_j belong to the slice, and c_i belongs to the wall.
+// The layers of a body, and the path of a section point through one layer. A layer is the part
+// between two planes that cut the walls. Pole (j, i) of a wall in a slice is h_j c_i at the height
+// z_j. h_j and z_j belong to the slice, and c_i belongs to the wall.
 
 /// A plane z = const. The section in this plane is turned by an angle φ, which is τz for a body
 /// with one screw motion.

@@ -14,7 +14,7 @@
 namespace gearwright {
 
 /// Successive positions at which the same tooth pair is in contact. The kind of contact does not
-/// change within a run: the contact is always at an edge, or it is always within the flanks.
+/// change within a run. The contact is either always at an edge or always within the flanks.
 struct TeRun {
   int pair = 0;  ///< k, number of the tooth pair
   bool edge = false;
@@ -26,24 +26,24 @@ struct TeRun {
 /// intersection. The value at the intersection is limited to the range of the computed values.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
-/// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
-/// `result` is scene.driving, or the result of the non-working flanks. There is no figure if no
-/// position has contact.
+/// Draws the transmission error over the rotation of gear 1, with the tooth pairs and kinds of
+/// contact. `result` is scene.driving, or the result of the non-working flanks. There is no figure
+/// if no position has contact.
 std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
 /// Returns true if all harmonics are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
-/// The harmonics of the transmission error. There is no figure if no harmonic exists. There is also
-/// no figure if contact is lost, because the curve is then not periodic.
+/// Draws the harmonics of the transmission error. There is no figure if no harmonic exists. There
+/// is also no figure if contact is lost, because the curve is then not periodic.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
-/// The gaps of a raster, mm, as a field for contours.
+/// Returns the gaps of a raster, mm, as a field for contours.
 ContourField field_of(const FlankRaster& raster);
-/// The regions of a raster in which the field is below a level. The points are (axial position,
-/// diameter), mm, with kNewPiece between two loops.
+/// Returns the regions of a raster in which the field is below a level. The points are (axial
+/// position, diameter), mm, with kNewPiece between two loops.
 std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& field, double level);
-/// The range of step i of a map, counted from the lowest step: "below 10 µm", "10 µm to 20 µm".
-/// Empty if the map has one step.
+/// Returns the range of step i of a map as text, for example "10 µm to 20 µm". Step 0 is the lowest
+/// step. The text is empty if the map has only one step.
 std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
 /// Adds the values of a raster to a figure. The figure shows shaded steps between the levels, and
 /// the values themselves are stored in Figure::grid. If `above` is given, values at or below
@@ -51,7 +51,8 @@ std::string step_words(const std::vector<double>& levels, std::size_t i, std::st
 void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& levels,
              std::string words, std::string unit, std::optional<double> above = {});
 
-/// Share of the flank, 0 … 1, that a pattern covers at this thickness of the marking compound.
+/// Returns the share of the flank, 0 … 1, that a pattern covers at this thickness of the marking
+/// compound.
 double pattern_share(const FlankRaster& raster, double marking);
 
 /// A continuous piece of the path of the contact point over a flank. The points are in the
@@ -63,8 +64,8 @@ struct PathPiece {
 };
 std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 
-/// An empty developed flank. The face runs from left to right, the root is at the bottom and the
-/// tip is at the top. The figure shows the limits of the usable flank and a little of the tooth
+/// Draws an empty developed flank. The face runs from left to right, the root is at the bottom and
+/// the tip is at the top. The figure shows the limits of the usable flank and a little of the tooth
 /// beyond these limits. `side` is the side σ of the gear.
 Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, double side,
                    std::size_t which);
@@ -91,8 +92,8 @@ struct ContactMap {
   std::array<NamedAmount, 2> axes;  ///< x and y: names, units and the values of the spec
   bool whole = true;                ///< false if some values have not yet been computed
 };
-/// The levels of the contour lines, arc seconds, in ascending order. They are round numbers within
-/// the range of the map, and few enough to be distinguished.
+/// Returns the levels of the contour lines, arc seconds, in ascending order. They are round numbers
+/// within the range of the map, and few enough to be distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
 Figure error_map_figure(const ContactMap& map);
 

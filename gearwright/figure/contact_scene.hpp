@@ -1,4 +1,5 @@
-// Contains the data of the contact figures: the gears, their axes as mounted, and the results.
+// Contains the data of the contact figures, which are the gears, their mounted axes and the
+// results.
 //
 //   TE   transmission error, rad: rotation by which gear 2 is ahead of |z1/z2| φ1, where φ1 is the
 //        rotation of gear 1
@@ -50,22 +51,22 @@ ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const Contac
 /// Replaces the axes by their mirror images in the plane z = 0. Their directions still point to +z.
 void mirror_axes(ContactScene& scene);
 
-/// The angular pitch of gear 1, rad.
+/// Returns the angular pitch of gear 1, rad.
 double pitch_of(const ContactScene& scene);
 
-/// The name of a kind of contact, "tip edge of gear 1".
+/// Returns the name of a kind of contact, for example "tip edge of gear 1".
 const char* words_of(TouchKind kind);
 
-/// The number of a tooth pair with its sign. "0" is the pair nearest the centre line.
+/// Returns the number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
-/// The style class of a tooth pair. Successive pairs use three classes of figure_style.css in turn.
+/// Returns the style class of a tooth pair. Successive pairs use three classes in turn.
 const char* pair_style(int k);
 
-/// A value in arc seconds, with a number of decimals that suits its size.
+/// Returns a value in arc seconds, with a number of decimals that suits its size.
 std::string shown_arcsec(double arcsec);
 int arcsec_decimals(double arcsec);
 
-/// The unit of a transmission error: seconds of arc, or µm along a rack.
+/// The unit of a transmission error, which is seconds of arc or, along a rack, µm.
 struct TeUnit {
   double per_rad;
   const char* symbol;  ///< "″" or " µm"
@@ -76,18 +77,19 @@ struct TeUnit {
 };
 TeUnit te_unit(const RackTravel& rack);
 
-/// The amount with its sign and unit, "+0.03°", "−0.02 mm".
+/// Returns the amount with its sign and unit, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
 
-/// Position of a housing point relative to a gear: height along the gear axis, and radius, mm.
+/// Position of a housing point relative to a gear. It consists of the height along the gear axis,
+/// mm, and of the radius, mm.
 struct FlankPlace {
   double height, radius;
 };
 FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
 
-/// The contact ellipse on gear `which` (0, 1), seen along the direction of motion of the tooth, as
-/// a closed polygon of points (height, radius). Empty if the contact has no ellipse, or if the
-/// ellipse is unbounded.
+/// Returns the contact ellipse on gear `which` (0, 1), seen along the direction of motion of the
+/// tooth, as a closed polygon of points (height, radius). The result is empty if the contact has no
+/// ellipse, or if the ellipse is unbounded.
 ///
 /// Units     mm, true size, projected from the tangent plane at the contact point
 std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,

@@ -27,12 +27,12 @@ class Framed {
   double level() const { return level_; }
   bool below(std::size_t row, std::size_t column) const { return value(row, column) < level_; }
 
-  // The number of an edge. Each node has two edges: one along its row and one along its column.
+  // Returns the number of an edge. Each node has one edge along its row and one along its column.
   std::size_t edge(std::size_t row, std::size_t column, bool along_row) const {
     return 2 * (row * columns() + column) + (along_row ? 0 : 1);
   }
 
-  // The position of the level on an edge, in node coordinates of the raster.
+  // Returns the position of the level on an edge, in node coordinates of the raster.
   Vec2 crossing(std::size_t edge) const {
     const bool along_row = edge % 2 == 0;
     const std::size_t row = edge / 2 / columns();
@@ -127,7 +127,8 @@ double area_of(const std::vector<std::vector<Vec2>>& loops) {
       twice += a.x() * b.y() - a.y() * b.x();
     }
   }
-  // Borders of a region and of its holes have opposite directions, so signed areas add up.
+  // The borders of a region and of its holes have opposite directions. The sum of the signed areas
+  // is therefore the area of the region.
   return std::abs(twice) / 2;
 }
 

@@ -39,8 +39,7 @@ TEST(Contour, ACircleAndItsHole) {
   };
   const auto loops = regions_below(field_of(61, 61, ring), 4.0);
   ASSERT_EQ(loops.size(), 2u);
-  // The chords of a circle of radius R in a raster of step 1 deviate from it by at most
-  // 1/(8 R).
+  // The chords of a circle of radius R in a raster of step 1 deviate from it by at most 1/(8 R).
   EXPECT_NEAR(area_of(loops), std::numbers::pi * (24.0 * 24.0 - 16.0 * 16.0),
               2 * std::numbers::pi * (24.0 / (8 * 24.0) + 16.0 / (8 * 16.0)));
 }

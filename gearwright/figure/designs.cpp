@@ -22,7 +22,7 @@ constexpr double kWideSpan = 15.0;
 constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 
-// The axis with its direction in words, and with a range that contains the values.
+// Returns the axis with its direction in words, and with a range that contains the values.
 FigureAxis fitted(DesignAxis of, double lo, double hi) {
   FigureAxis axis = std::move(of.axis);
   if (of.better != Better::none)

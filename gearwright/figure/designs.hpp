@@ -9,7 +9,8 @@
 
 namespace gearwright {
 
-/// An axis of designs. The values of an objective are better if they are smaller or greater.
+/// The direction in which the values of an axis become better. It is `none` if the axis is not an
+/// objective.
 enum class Better { none, smaller, greater };
 struct DesignAxis {
   FigureAxis axis;
@@ -22,9 +23,9 @@ struct DesignDot {
   std::string words = {};  ///< name of the design, shown at the pointer together with both values
 };
 
-/// The corners of the staircase through the points that no other point dominates. The staircase
-/// separates the designs found from the part of the plane without designs. `greater` is true for an
-/// axis on which greater values are better.
+/// Returns the corners of the staircase through the points that no other point dominates. The
+/// staircase separates the designs found from the part of the plane without designs. `greater` is
+/// true for an axis on which greater values are better.
 ///
 /// Laws      (1) no given point lies beyond the staircase
 ///           (2) along the staircase, one value becomes worse as the other becomes better

@@ -19,12 +19,12 @@ struct DistributionScene {
   std::vector<std::pair<double, double>> percentiles;  ///< percent and value
 };
 
-/// Histogram: share of the samples in each of several equal intervals.
+/// Draws the histogram, which is the share of the samples in each of several equal intervals.
 ///
 /// Domain    at least two values that differ (contract)
 Figure histogram_figure(const DistributionScene& scene);
 
-/// The share of the samples below each value.
+/// Draws the share of the samples below each value.
 ///
 /// Domain    at least two values that differ (contract)
 Figure cumulative_figure(const DistributionScene& scene);

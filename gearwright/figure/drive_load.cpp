@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kCircle = 360.0;  // degrees
 
-// The rotation of the input during one period of a mesh, degrees. If the gears of the mesh do
-// not roll, the result is one turn of the input.
+// Returns the rotation of the input during one period of a mesh, degrees. If the gears of the mesh
+// do not roll, the result is one turn of the input.
 double period_of(double frequency_ratio) {
   constexpr double kLeast = 1e-9;  // teeth per turn of the input; below this, no mesh rolls
   return std::abs(frequency_ratio) > kLeast ? kCircle / std::abs(frequency_ratio) : kCircle;
 }
 
-// The rotation of the input during one period of the meshes of a set, degrees.
+// Returns the rotation of the input during one period of the meshes of a set, degrees.
 double period_of(const Drive& drive, const PlanetShares& shares) {
   for (const std::size_t m : drive.sets[shares.set].group.meshes)
     if (drive.flow && drive.flow->driver[m] >= 0)
@@ -30,8 +30,8 @@ double period_of(const Drive& drive, const PlanetShares& shares) {
   return kCircle;
 }
 
-// The values at the positions of one period, with the first value repeated at the end of the
-// period.
+// Returns the values at the positions of one period, with the first value repeated at the end of
+// the period.
 template <class Of>
 std::vector<Vec2> over_the_period(double period, std::size_t count, const Of& of) {
   std::vector<Vec2> points;

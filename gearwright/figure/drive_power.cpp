@@ -197,8 +197,8 @@ class PowerDiagram {
     return line;
   }
 
-  // A line from the right side of one node to the left side of another. Between them, the line is
-  // at the height `low`, which is below all nodes.
+  // Returns a line from the right side of one node to the left side of another. Between them, the
+  // line is at the height `low`, which is below all nodes.
   std::vector<Vec2> loop(const Vec2& a, const Vec2& b, double low, double reach) const {
     std::vector<Vec2> line;
     const auto half_turn = [&](const Vec2& from, double to, double side) {

@@ -13,8 +13,8 @@ namespace gearwright {
 
 namespace {
 
-// Units of the picture: the greatest radius is kTall or kTallSet. The distance between neighbouring
-// slots (axial sections, drive_places.hpp) is kSlot.
+// Lengths in units of the picture. The greatest radius is kTall or kTallSet. The distance between
+// neighbouring slots (axial sections, drive_places.hpp) is kSlot.
 constexpr double kTall = 2.0, kSlot = 2.7;
 constexpr double kTallSet = 3.0;   // with planetary sets, whose names need room between the lines
 constexpr double kBeside = 8.0;    // px from a gear to its name, on the right or on the left
@@ -86,8 +86,8 @@ class Scheme {
   double slot_x(int slot) const { return kSlot * slot; }
   double axis_y(std::size_t body) const { return scale_ * heights_[body]; }
 
-  // The heights of the axes. Axes that do not lie in one plane are unfolded into the plane of the
-  // picture, so that each mesh keeps its centre distance.
+  // Computes the heights of the axes. Axes that do not lie in one plane are unfolded into the plane
+  // of the picture, so that each mesh keeps its centre distance.
   void unfold() {
     for (const Vec2& axis : places_.axes) heights_.push_back(axis.x());
     const auto across = [&](const DriveMesh& m) -> Vec2 {
@@ -128,7 +128,7 @@ class Scheme {
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) radii_.push_back(working_radius(g));
   }
 
-  // The radius of the working pitch circle of a gear in its first mesh.
+  // Returns the radius of the working pitch circle of a gear in its first mesh.
   double working_radius(std::size_t g) const {
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
       const auto& gears = graph_.meshes[m].gears;
@@ -232,9 +232,9 @@ class Scheme {
     });
   }
 
-  // The position of the bell of a ring. The bell is beyond the slots of the ring. If the body is an
-  // input, the output or fixed, the bell is on the side on which the shaft of the body ends.
-  // Otherwise, the bell is on the side of the other gears of the body.
+  // Returns the position of the bell of a ring. The bell is beyond the slots of the ring. If the
+  // body is an input, the output or fixed, the bell is on the side on which the shaft of the body
+  // ends. Otherwise, the bell is on the side of the other gears of the body.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }

@@ -1,5 +1,5 @@
-// The words at the inputs, the output and the fixed bodies of a drive in its scheme. Internal to
-// the room figure.
+// Writes the words at the inputs, the output and the fixed bodies of a drive in its scheme.
+// Internal to figure/.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace gearwright {
 
-/// The name of a body and its part in the drive ("in", "out" or "held"), followed by its speed and
-/// its torque. For a rack, its speed in m/s and its force follow. SVG markup, one text per line.
+/// Returns the name of a body and its part in the drive ("in", "out" or "held"), followed by its
+/// speed and its torque. For a rack, its speed in m/s and its force follow. Each line is one text
+/// of SVG markup.
 std::vector<std::string> end_words(const Drive& drive, std::size_t body);
 
 }  // namespace gearwright

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxLevels = 9;
 
-// The values of the map as a raster in arc seconds. Points without contact are above every level.
+// Returns the values of the map as a raster, arcsec. Points without contact are above every level.
 FlankRaster raster_of(const ErrorMap& map) {
   FlankRaster raster{map.y, map.x, {}};
   for (const auto& row : map.value)

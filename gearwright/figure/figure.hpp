@@ -1,8 +1,8 @@
-// Describes a figure as a value: marks in the units of its axes, without pixels or colours.
+// Describes a figure as a value, with marks in the units of its axes, without pixels or colours.
 //
-// A figure is made once from a result of the engine. Several writers use it: SVG for the report and
-// the page (figure_svg.hpp), PDF and DXF for papers and CAD (cad/figure_files.hpp), JSON and CSV
-// for the user's own plots (figure_data.hpp). The style of a mark is a list of semantic classes
+// A figure is made once from a result of the engine. It is written as SVG for the report and the
+// page (figure_svg.hpp), as PDF and DXF for papers and CAD (cad/figure_files.hpp), and as JSON and
+// CSV for the user's own plots (figure_data.hpp). The style of a mark is a list of semantic classes
 // ("g1", "edge", "limit"), which figure_style.css turns into colours for light and dark screens and
 // for paper.
 //
@@ -87,7 +87,7 @@ struct FigureMark {
   int group = -1;          ///< index of the group with which the mark turns; −1 for none
   std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
 
-  /// The markup of a text, or of the label of another mark, including its length.
+  /// Returns the markup of a text, or of the label of another mark, including its length.
   std::string text() const;
 };
 

@@ -1,4 +1,4 @@
-// Writes a figure as data: the points of its curves and bars, for the user's own plots.
+// Writes the points of a figure's curves and bars as data, for the user's own plots.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -21,7 +21,8 @@ constexpr double kTurn = 0.035, kStep = 24.0;
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;
 
-// The point at a given fraction of the length of a line, and the direction there; px.
+// Returns the point at a given fraction of the length of a line, px, and the direction of the line
+// at this point.
 std::pair<Vec2, Vec2> at_share(const std::vector<Vec2>& line, double share) {
   double length = 0.0;
   for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
@@ -176,8 +177,8 @@ class Labels {
     return places;
   }
 
-  // Returns visible positions on the circle, in order from the mesh: upwards first for gear 1, and
-  // downwards first for gear 2.
+  // Returns visible positions on the circle, beginning near the mesh. For gear 1, the positions
+  // above the mesh come first. For gear 2, the positions below the mesh come first.
   Places on_circle(const FigureMark& m) const {
     const PixelBox& plot = at_.plot;
     const Vec2 c = at_.px(m.points[0]);

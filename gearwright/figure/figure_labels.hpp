@@ -1,4 +1,4 @@
-// Positions the labels of a figure's marks. Internal to figure.
+// Places the labels of a figure's marks. Internal to figure/.
 #pragma once
 
 #include <functional>

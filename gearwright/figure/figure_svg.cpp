@@ -22,8 +22,9 @@ constexpr double kHead = 34.0;  // px above the plot, for the words of the y axi
 constexpr double kFoot = 44.0;  // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kColumn = 24.0,
-                 kBesidePlot = 12.0;          // px: space that a column of names beside the plot
-                                              // adds to the names, and gap before the names
+                 kBesidePlot = 12.0;          // px; a column of names beside the plot is wider than
+                                              // the names by kColumn, and kBesidePlot is the gap
+                                              // before the names
 constexpr double kLeaderGap = 19.0;           // px between the names of a column
 constexpr double kShade = 19.0;               // px, width and greatest step height of a map's key
 constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y

@@ -32,8 +32,9 @@ std::string figure_html(const Figure& figure, double width = kFigureWidth,
 /// Returns figure_html() of the figure, or nothing if there is no figure.
 std::string html_of(const std::optional<Figure>& figure);
 
-/// Styles of the marks, the script that shows values at the pointer, and the script for zooming:
-/// figure_style.css, figure_script.js and zoom_script.js. The web page uses the same files.
+/// Return the styles of the marks (figure_style.css), the script that shows values at the pointer
+/// (figure_script.js), and the script for zooming (zoom_script.js). The web page uses the same
+/// files.
 std::string_view figure_style();
 std::string_view figure_script();
 std::string_view zoom_script();

@@ -129,14 +129,14 @@ void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch
   }
 }
 
-// Distance, mm, between the contacts at successive positions on the flank of gear 1.
+// Returns the distance, mm, between the contacts at successive positions on the flank of gear 1.
 double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
 
-// The least distance that counts as a jump, for example from one arc of a flank to the other. The
-// result is six times the median distance between successive positions, but at least a tenth of the
-// face width.
+// Returns the least distance that counts as a jump, for example from one arc of a flank to the
+// other. The result is six times the median distance between successive positions, but at least a
+// tenth of the face width.
 double jump_of(const std::vector<const ContactPoint*>& points, double face) {
   constexpr double kTimes = 6.0, kPart = 0.1;
   std::vector<double> ways;

@@ -13,12 +13,11 @@
 
 namespace gearwright {
 
-/// A rectangle of the picture, px.
 struct PixelBox {
   double left, top, right, bottom;
 };
 
-/// The width of a line of words, px. `plain` is text without markup.
+/// Returns the width of a line of words, px. `plain` is text without markup.
 double label_width(std::string_view plain);
 
 struct LabelPlace {
@@ -29,7 +28,7 @@ struct LabelPlace {
   Anchor anchor;
 };
 
-/// The area of the words. `plain` is their text without markup.
+/// Returns the area of the words. `plain` is their text without markup.
 PixelBox label_box(const LabelPlace& place, std::string_view plain);
 bool meet(const PixelBox& a, const PixelBox& b);
 
@@ -41,7 +40,7 @@ class FreeLabels {
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
   void keep_off(const std::vector<Vec2>& polyline);
 
-  /// The objects that a label may overlap: none, one line, two lines, or all.
+  /// The objects that a label may overlap. They are none, one line, two lines, or all objects.
   enum class If { free, over_a_line, over_two_lines, always };
   /// Draws the label at the best permitted position of `places`. The width is computed from
   /// `plain`, which is the text of the markup. Returns true if the label is drawn.
@@ -56,8 +55,8 @@ class FreeLabels {
   std::vector<std::vector<Vec2>> lines_;
 };
 
-/// The positions at the four sides of a dot and at the corners between them, `distance` px away.
-/// Positions in the direction `towards` come first.
+/// Returns the positions at the four sides of a dot and at the corners between them, `distance` px
+/// away. Positions in the direction `towards` come first.
 std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards);
 
 }  // namespace gearwright

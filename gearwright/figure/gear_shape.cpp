@@ -123,7 +123,7 @@ std::string circle_path(long r) {
   return fmt::format("M{0} 0A{0} {0} 0 1 1 -{0} 0A{0} {0} 0 1 1 {0} 0", r);
 }
 
-// The bore and its keyway, which points along +y of the gear frame.
+// Returns the path of the bore and its keyway. The keyway points along +y of the gear frame.
 std::string bore_path(const Bore& bore, double unit_mm) {
   const auto units = [&](double mm) { return std::lround(mm / unit_mm); };
   const double r = bore.diameter / 2;
@@ -134,8 +134,7 @@ std::string bore_path(const Bore& bore, double unit_mm) {
                      units(r + bore.keyway_depth), units(r));
 }
 
-// Returns true if the straight line between the ends of a tooth's outline crosses the bore or its
-// keyway.
+// Returns true if the line between the ends of a tooth's outline crosses the bore or its keyway.
 bool chord_crosses_bore(const Gear& gear) {
   if (!gear.bore || gear.tooth->outline.arcs.empty()) return false;
   const double reach = gear.bore->diameter / 2 + gear.bore->keyway_depth;

@@ -1,5 +1,5 @@
-// Writes the outline of a gear as SVG path data. One tooth is written once, and the gear uses it z
-// times.
+// Writes the outline of a gear as SVG path data. The path of one tooth is written once, and the
+// gear uses this path z times.
 //
 // Path units are kOutlineUnit normal modules. The numbers are integers relative to the preceding
 // point, which keeps paths short. The y axis of the gear frame is reversed for SVG. Arcs about the
@@ -27,23 +27,22 @@ constexpr double kOutlineTolerance = 1e-4;  ///< m_n; upper limit of the total d
 ///           parameter
 std::vector<Vec2> chords(const Arc& arc, double tolerance);
 
-/// Path data of a chain of points, mm, in units of `unit_mm`.
+/// Returns the path data of a chain of points, mm, in units of `unit_mm`.
 std::string outline_path(const std::vector<Vec2>& points, double unit_mm);
 
-/// Path data of one tooth from the middle of one space to the middle of the next.
+/// Returns the path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);
 
-/// Definitions of the shapes "NAME-tooth" and "NAME". "NAME" is the body of the gear with its
-/// teeth. For an internal gear, the body is a rim of width kRim. The result is empty if the gear
-/// has no outline.
+/// Returns the definitions of the shapes "NAME-tooth" and "NAME". "NAME" is the body of the gear
+/// with its teeth. For an internal gear, the body is a rim of width kRim. The result is empty if
+/// the gear has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
 bool has_outline(const Gear& gear);
 
-/// The length of a path unit, mm.
 double outline_unit_mm(const Gear& gear);
 
-/// The largest drawn radius, mm: the tip, or the rim around the roots of an internal gear.
+/// Returns the largest drawn radius, mm: the tip, or the rim around the roots of an internal gear.
 double drawn_radius(const Gear& gear);
 
 }  // namespace gearwright

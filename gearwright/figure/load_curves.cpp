@@ -55,8 +55,8 @@ std::optional<Figure> fitted(Figure f, bool from_zero) {
   return fit_axes(f, 0.06, from_zero) ? std::optional(std::move(f)) : std::nullopt;
 }
 
-// The load share of one tooth pair during its mesh, as points (rotation of the pair from the centre
-// line in pitches, share). The share is 0 at both ends of the curve.
+// Returns the load share of one tooth pair during its mesh, as points (rotation of the pair from
+// the centre line in pitches, share). The share is 0 at both ends of the curve.
 std::vector<Vec2> share_curve(const LoadScene& scene, const LoadedTorque& t) {
   const double step = 1.0 / static_cast<double>(t.positions.size());
   std::vector<Vec2> values;

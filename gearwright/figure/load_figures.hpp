@@ -10,12 +10,11 @@
 
 namespace gearwright {
 
-/// Transmission error, load shares, stiffness and greatest root stress over the rotation. There is
-/// no figure if no position has a value.
+/// Draw the transmission error, the load shares and the stiffness over the rotation. There is no
+/// figure if no position has a value.
 std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
-/// The load shares of all tooth pairs at the shown torque over two pitches, each pair in its
-/// colour.
+/// Draws the load shares of all tooth pairs at the shown torque over two pitches, in their colours.
 std::optional<Figure> pair_share_figure(const LoadScene& scene);
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
@@ -25,33 +24,34 @@ struct TeCurve {
   std::string style, words;
   std::vector<Vec2> points;
 };
-/// Curves of one pair with different flank modifications, each relative to its mean. There is no
-/// figure if no point has a value.
+/// Draws curves of one pair with different flank modifications, each relative to its mean. There is
+/// no figure if no point has a value.
 std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
-/// The Harris map: transmission error over the torque. There is no figure if only one torque is
-/// given.
+/// Draws the Harris map, which is the transmission error over the torque. There is no figure if
+/// only one torque is given.
 std::optional<Figure> harris_figure(const LoadScene& scene);
 
-/// The greatest pressure during a mesh at each point of a flank of gear `which` (0, 1). The raster
-/// contains pressures in MPa instead of gaps. The pressure is 0 at points that are never in
+/// Returns the greatest pressure during a mesh at each point of a flank of gear `which` (0, 1). The
+/// raster contains pressures in MPa instead of gaps. The pressure is 0 at points that are never in
 /// contact. Pressures are interpolated linearly between positions and between slices.
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 
-/// The greatest pressure at each point of a flank during a mesh. For each position of the slider,
-/// the figure shows the loaded contact lines. A second figure shows the pressure along the face.
+/// Draws the greatest pressure at each point of a flank during a mesh. For each position of the
+/// slider, the figure shows the loaded contact lines. The second function draws the pressure along
+/// the face.
 ///
 /// Domain    teeth that touch along lines (contract)
 Figure pressure_figure(const LoadScene& scene, std::size_t which);
 Figure pressure_along_figure(const LoadScene& scene);
 
-/// The contact ellipses of a tooth with point contact during its mesh, on the flank of gear
-/// `which`. A second figure shows the pressure in these ellipses.
+/// Draws the contact ellipses of a tooth with point contact during its mesh, on the flank of gear
+/// `which`. The second function draws the pressure in these ellipses.
 ///
 /// Domain    teeth that touch at points, at least one position in contact (contract)
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);
 std::optional<Figure> point_pressure_figure(const LoadScene& scene);
 
-/// The greatest root stress along the fillet, for both gears, over the position along the face.
+/// Draws the greatest root stress along the fillet of both gears over the position along the face.
 std::optional<Figure> root_face_figure(const LoadScene& scene);
 
 }  // namespace gearwright

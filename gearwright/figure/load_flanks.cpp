@@ -21,8 +21,8 @@ constexpr int kMostLevels = 10;
 constexpr std::size_t kMostDrawn = 14;  // number of ellipses that can be distinguished
 constexpr int kCorners = 48;            // corners of the polygon that represents an ellipse
 
-// A slice of a flank at one rotation of its tooth pair: the position of the least gap in the slice,
-// and the pressure there.
+// A slice of a flank at one rotation of its tooth pair. It has the position of the least gap in the
+// slice, and the pressure at this position.
 struct Sample {
   double own;     // rotation of the tooth pair, pitches
   double radius;  // mm
@@ -39,8 +39,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// The greatest pressure at a radius. If a mating edge passes the radius both outwards and inwards,
-// the greater of both pressures is used.
+// Returns the greatest pressure at a radius. If a mating edge passes the radius both outwards and
+// inwards, the greater of both pressures is used.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -56,8 +56,9 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The line on which a tooth pair carries load. It has one or several pieces. A point of the line is
-// the height of slice j along the face of gear `which`, and the value of(j).
+// Returns the line on which a tooth pair carries load. It has one or several pieces. Each point of
+// the line belongs to a slice j. Its coordinates are the height of the slice along the face of gear
+// `which`, and the value `of(j)`.
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
                                  const Of& of) {
@@ -126,8 +127,7 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
     slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
   for (const double d : raster.diameter) {
     for (const double z : raster.height) {
-      // The value of an outermost slice is used from the middle of this slice to the end of the
-      // face.
+      // The value of an outermost slice applies from its middle to the end of the face.
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);
@@ -152,8 +152,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
   add_map(f, raster, levels, "greatest pressure during a mesh", "N/mm²", 0.0);
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  // The tip and root diameters beside the plot are removed, because the key of the shades is drawn
-  // there.
+  // The tip and root diameters beside the plot are removed, because the key of the shades is there.
   std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });

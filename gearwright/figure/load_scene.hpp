@@ -34,24 +34,23 @@ struct LoadScene {
 /// too many torques to distinguish, returns a selection that includes the first and the last.
 std::vector<std::size_t> shown_torques(const LoadScene& scene);
 const LoadedTorque& shown_torque(const LoadScene& scene);
-/// The torque in words, "250 N m".
 std::string torque_words(const LoadedTorque& torque);
 
-/// The style of curve i of the shown torques, and the keys of all these curves.
+/// Return the style of curve i of the shown torques, and the keys of all these curves.
 std::string curve_style(std::size_t i);
 std::vector<FigureKey> torque_keys(const LoadScene& scene);
 
-/// The pitch of gear 1, rad, and the rotation of a tooth pair from the centre line at a position,
-/// in pitches.
+/// Return the pitch of gear 1, rad, and the rotation of a tooth pair from the centre line at a
+/// position, in pitches.
 double pitch_of(const LoadScene& scene);
 double own_pitches(const LoadScene& scene, const LoadedPosition& at, const LoadedPair& pair);
 
-/// The positions of the frames of a figure, as indices of LoadedTorque::positions, starting at
-/// rotation 0 of gear 1. If there are many positions, only as many are used as can be
+/// Returns the positions of the frames of a figure, as indices of LoadedTorque::positions, starting
+/// at rotation 0 of gear 1. If there are many positions, only as many are used as can be
 /// distinguished.
 std::vector<std::size_t> frame_positions(const LoadScene& scene);
 
-/// Positions of the slices along the face of gear `which` (0, 1), mm.
+/// Returns the positions of the slices along the face of gear `which` (0, 1), mm.
 std::vector<double> heights_of(const LoadScene& scene, std::size_t which);
 
 }  // namespace gearwright

@@ -124,7 +124,7 @@ std::string with_symbols(std::string_view text) {
   const auto in_word = [](char c) {
     return is_letter_or_digit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
   };
-  // The number of letters of a UTF-8 text. Continuation bytes are not counted.
+  // Counts the letters of a UTF-8 text, without its continuation bytes.
   const auto letters = [](std::string_view word) {
     return std::count_if(word.begin(), word.end(),
                          [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });

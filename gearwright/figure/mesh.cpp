@@ -52,7 +52,7 @@ Bounds with_room(const Bounds& box, double room) {
   return {box.lo - Vec2(room, room), box.hi + Vec2(room, room)};
 }
 
-// The region around the pitch point, with the path of contact and some of the teeth.
+// Returns the region around the pitch point, with the path of contact and some of the teeth.
 Bounds about_pitch_point(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double m = pair.gears[0].spec.normal_module;
@@ -64,7 +64,7 @@ Bounds about_pitch_point(const InvolutePair& pair) {
   return with_room({C, C}, half);
 }
 
-// The region around the overlap of the tip cylinders on the centre line.
+// Returns the region around the overlap of the tip cylinders on the centre line.
 Bounds about_overlap(const MeshScene& s) {
   const double a = s.pair->center_distance;
   const double r_1 = s.gears[0]->actual_tip_radius(), r_2 = s.gears[1]->actual_tip_radius();

@@ -26,12 +26,12 @@ struct NamedCircle {
   std::string words = {};  ///< "tip diameter", shown at the pointer
 };
 
-/// The symbol with the number of gear `i` (0, 1) in its index: "d_a1". Empty if the circle has no
-/// symbol.
+/// Returns the symbol with the number of gear `i` (0, 1) in its index, for example "d_a1". The
+/// result is empty if the circle has no symbol.
 std::string symbol_of(const NamedCircle& circle, std::size_t i);
 
-/// The line style that belongs to the symbol. It is solid for tip and root circles, dash-dotted for
-/// pitch circles, dashed for base circles, and dotted for other circles.
+/// Returns the line style that belongs to the symbol. It is solid for tip and root circles,
+/// dash-dotted for pitch circles, dashed for base circles, and dotted for other circles.
 const char* style_of_circle(std::string_view symbol);
 
 /// Tip, working pitch and base circle of gear `i` (0, 1).
@@ -48,8 +48,8 @@ struct MeshScene {
 /// without an outline.
 MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
 
-/// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
-/// are shown whole.
+/// The extent of a picture, which shows the whole gears, their mesh, or the path of contact. Gears
+/// that do not mesh are shown whole.
 enum class MeshFrame { whole, mesh, flank };
 /// Returns the box, enlarged to this ratio of width to height.
 Bounds with_aspect(const Bounds& box, double aspect);
@@ -71,9 +71,9 @@ void add_bodies(Figure& figure, const MeshScene& scene, const std::array<double,
 
 void add_circles(Figure& figure, const MeshScene& scene, bool named);
 
-/// Rotations of gear 1 and gear 2 from the rest position of pair/pair.hpp to the position in which
-/// the leading flanks touch at C, counter-clockwise seen from +z. Each rotation moves the flank's
-/// point on the working pitch circle onto the centre line.
+/// Returns the rotations of gear 1 and gear 2 from the rest position of pair/pair.hpp to the
+/// position in which the leading flanks touch at C, counter-clockwise seen from +z. Each rotation
+/// moves the flank's point on the working pitch circle onto the centre line.
 ///
 /// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2). The ψ_i = s_bti/d_bi − inv α_wt are the half
 ///           angles of the teeth on the working pitch circles. For an internal gear 2, σ = −1 and
@@ -81,8 +81,8 @@ void add_circles(Figure& figure, const MeshScene& scene, bool named);
 /// Units     rad        Domain  parallel axes
 std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
-/// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch. Clockwise is
-/// positive, as in SVG.
+/// Returns the angle, in degrees, by which gear `i` (0, 1) turns while gear 1 turns clockwise by
+/// one pitch. Clockwise is positive, as in SVG.
 ///
 /// Formula   360/z_1, −σ 360/|z_2|; σ = −1 if gear 2 is internal, else 1
 double turn_per_pitch(const MountedGears& pair, std::size_t i);

@@ -11,7 +11,7 @@
 namespace gearwright {
 namespace {
 
-// The point of the flank at a radius, on the side y > 0 of the tooth at the x axis.
+// Returns the point of the flank at a radius, on the side y > 0 of the tooth at the x axis.
 Vec2 flank_point(const Gear& gear, double radius) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
   return flank->curve->point(flank->curve->parameter_at_radius(radius, flank->begin, flank->end));

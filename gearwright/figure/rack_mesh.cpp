@@ -18,8 +18,8 @@ double pitch_radius(const RackPair& pair) { return pair.pinion.reference_diamete
 
 double alpha_of(const RackPair& pair) { return pair.pinion.reference().transverse_pressure_angle; }
 
-// A point of the line of action at the distance g from the pitch point. If `side` is −1, the point
-// is on the line of action of the trailing flanks.
+// Returns a point of the line of action at the distance g from the pitch point. If `side` is −1,
+// the point is on the line of action of the trailing flanks.
 Vec2 on_action(const RackPair& pair, double g, double side = 1.0) {
   return {pitch_radius(pair) + g * std::sin(alpha_of(pair)), -side * g * std::cos(alpha_of(pair))};
 }

@@ -44,7 +44,7 @@ constexpr double kMapGap = 0.015;  // from the map to the corner of the plot, re
 // named only if it is the longest stretch of this edge.
 constexpr double kShortStretch = 0.025;
 
-// The part of the line x1 + x2 = sum inside the window. Empty if there is none.
+// Returns the part of the line x1 + x2 = sum inside the window. The result may be empty.
 std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {
   const double from = std::max(box.lo.x(), sum - box.hi.y());
   const double to = std::min(box.hi.x(), sum - box.lo.y());

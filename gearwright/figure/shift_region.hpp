@@ -1,6 +1,6 @@
-// Shows the s1–s2 graph of one pair of tooth numbers: the profile shifts that satisfy the limits.
-// The figure contains the rectangle of the shift limits, the region with its named edges, the lines
-// of the centre distances and the line of balanced shifts.
+// Shows the s1–s2 graph of one pair of tooth numbers, which contains the profile shifts that
+// satisfy the limits. The figure contains the rectangle of the shift limits, the region with its
+// named edges, the lines of the centre distances and the line of balanced shifts.
 //
 // Points are (x1, x2) in normal modules. Both axes have the same scale, so lines with a constant
 // sum Σx = x1 + x2 fall at 45°.
@@ -17,12 +17,11 @@
 
 namespace gearwright {
 
-/// The name of an edge, "least shift of gear 1" or "contact ratio".
+/// Returns the name of an edge, for example "least shift of gear 1" or "contact ratio".
 std::string_view words_of(ShiftEdge edge);
-/// Style class of an edge, "edge-g1 far".
+/// Returns the style class of an edge, for example "edge-g1 far".
 std::string_view style_of(ShiftEdge edge);
 
-/// The rectangle of the shift limits of both gears.
 Bounds limits_box(const ShiftGraph& graph);
 
 /// The window of the picture. If the longer side of the region is at least `fair_part` times the

@@ -32,8 +32,7 @@ enum class Anchor { start, middle, end };
 
 class Svg {
  public:
-  /// `id` is unique in the page. Title and description are plain text, which screen readers read
-  /// aloud.
+  /// `id` is unique in the page. Title and description are plain text for screen readers.
   Svg(std::string_view id, double width, double height, std::string_view title,
       std::string_view description);
 
@@ -85,7 +84,8 @@ class Svg {
 /// Domain    gap ≥ 0; if (n − 1) gap > hi − lo, the labels share [lo, hi] evenly
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);
 
-/// A pixel coordinate with two decimals and no trailing zeros. An error of 0.01 px is invisible.
+/// Returns a pixel coordinate with two decimals and no trailing zeros. An error of 0.01 px is
+/// invisible.
 std::string pixel(double value);
 
 }  // namespace gearwright

@@ -31,7 +31,7 @@ Ticks round_ticks(double lo, double hi, int most) {
 
 Ticks log_ticks(double lo, double hi, double apart) {
   GW_EXPECTS(0.0 < lo && lo < hi);
-  // The finest list whose neighbouring values are at least `apart` decades from each other.
+  // `steps` is the finest list whose neighbouring values are at least `apart` decades apart.
   using List = std::vector<double>;
   const double room = std::pow(10.0, apart);
   const List steps = room <= 1.2   ? List{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}

@@ -92,7 +92,7 @@ void add_lanes(Figure& figure, const std::vector<ContactPoint>& points) {
   }
 }
 
-// The intersection of the linear extensions of two curves between two positions.
+// Returns the intersection of the linear extensions of two curves between two positions.
 Vec2 crossing(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Vec2 middle = 0.5 * (b + c);
   const double slope_1 = (b - a).y() / (b - a).x();
@@ -228,7 +228,7 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     by_size.push_back(h);
   }
   // The values of at most three peaks are shown. A peak is omitted if it is lower than 2 % of the
-  // axis, or if its harmonic is within three of a higher peak that is shown.
+  // axis. It is also omitted if a higher peak is shown whose order differs by at most three.
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](int a, int b) { return amplitude(a) > amplitude(b); });
   std::vector<int> named;

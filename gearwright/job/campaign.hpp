@@ -25,8 +25,8 @@ class ChunkStore;  // the folder of finished chunks
 struct CampaignOptions {
   std::filesystem::path out;  ///< folder of the files; empty if no files are written
   bool resume = false;
-  int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, from chunk
-                                  ///< shard − 1 on
+  int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, beginning with
+                                  ///< chunk shard − 1
   bool many = false;              ///< true if another shard or rank may have opened the folder
                                   ///< already
   bool together = false;          ///< true for a rank; the first rank opens the folder for all
@@ -35,9 +35,9 @@ struct CampaignOptions {
   /// Returns the number of the next chunk in a queue that several processes share. If this function
   /// is not set, the process has its own queue. Only one thread at a time calls the function.
   std::function<std::int64_t()> next_chunk;
-  /// Every rank calls this function once. The first rank passes true if it has opened the folder,
-  /// and all other ranks pass true. On every rank, the function returns the value that the first
-  /// rank passed. If this value is false, the other ranks do not open the folder.
+  /// Every rank calls this function once. On every rank, the function returns the value of `opened`
+  /// that the first rank passed. The first rank passes true if it has opened the folder. If it
+  /// passes false, the other ranks do not open the folder.
   std::function<bool(bool opened)> folder_is_open;
   /// Waits until all processes are done. Returns true if this process makes the files.
   std::function<bool()> finish_together;

@@ -22,8 +22,9 @@ namespace gearwright {
 namespace {
 
 constexpr int kPositions = kLeastSpanPositions;
-// Under load, a curve of the transmission error takes a hundred times as long as without load.
-// Fewer positions and fewer corners of the range are therefore computed.
+// Under load, the curve of the transmission error takes about a hundred times as long to compute as
+// without load. The corrections for loaded teeth are therefore computed from fewer positions and
+// fewer corners of the range.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -41,8 +42,7 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
   return errors;
 }
 
-// Returns the scenario in which the errors `ranged` have the values `value`, in the units of their
-// keys.
+// Returns the scenario with the values `value` of the errors `ranged`, in the units of their keys.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
   NamedErrors s{"", setup.place().errors};
@@ -61,8 +61,7 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   return ranged;
 }
 
-// Returns the scenario of the errors in the spec, followed by a scenario for every corner of the
-// range.
+// Returns the scenario of the errors in the spec, and then one for every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);
@@ -76,8 +75,8 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// Returns errors within the ranges of [compensate.range] for which the pair is worse than `known`,
-// in the units of their keys. Returns none if there are no such errors.
+// Returns errors within the ranges of [compensate.range], in the units of their keys, for which the
+// transmission error of the pair exceeds `known`. Returns none if there are no such errors.
 std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const ContactSetup& setup,
                                                                    const JobSpec& spec, Angle known,
                                                                    Progress* progress) {
@@ -104,9 +103,9 @@ std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const Contact
 }
 
 // Computes the corrections for the scenarios. Without load, the function also searches the ranges
-// for errors under which the corrected pair is worse than in every scenario. If it finds such
-// errors, they become a further scenario, and the corrections are computed again. This happens at
-// most kMostInside times.
+// for errors under which the corrected pair has a greater transmission error than in every
+// scenario. If it finds such errors, they become a further scenario, and the corrections are
+// computed again. This happens at most kMostInside times.
 Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
                          const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
                          std::vector<NamedErrors>& scenarios) {
@@ -180,8 +179,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Two kinds of warnings of the job are kept: those about the load, and those about the range of
-  // errors. The second kind still applies, because the range includes the errors of the spec.
+  // Only the warnings about the load and about the range of errors are kept. The warnings about the
+  // range still apply, because the range includes the errors of the spec.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -193,7 +192,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
-// Adds the closed forms for circular-arc teeth to the answer. Returns the values of all corrections
+// Adds the closed forms for circular-arc teeth to the answer. Returns the value of each correction
 // with which the search starts. If a correction has no closed form, its value is 0.
 std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup,
                                  const std::vector<WorkshopCorrection>& corrections,
@@ -311,8 +310,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
 
 namespace {
 
-// Pressures, MPa, count as equal if they differ by less than this. It is one ten-thousandth of a
-// usual flank pressure.
+// Pressures in MPa count as equal if they differ by less than this value. It is about one
+// ten-thousandth of a usual flank pressure.
 constexpr double kSamePressure = 0.1;
 
 }  // namespace

@@ -1,10 +1,10 @@
-// The verb `compensate` computes corrections with which a workshop can compensate errors of a
-// housing.
+// The verb `compensate` computes corrections with which a workshop can compensate housing errors.
 //
-// Some teeth have closed forms, which are computed first. One closed form is the tool setting that
-// restores the contact of circular-arc teeth after a change of the centre distance. The other is
-// the change of lead, for each gear, that removes the slope of the transmission error. After that,
-// the requested corrections are computed for the whole range of errors.
+// Two corrections have closed forms for some teeth, and these are computed first. The first is the
+// tool setting that restores the contact of circular-arc teeth after a change of the centre
+// distance. The second is the change of lead of each gear that removes the slope of the
+// transmission error. After that, the requested corrections are computed for the whole range of
+// errors.
 #pragma once
 
 #include <memory>
@@ -26,9 +26,9 @@ struct CompensateAnswer : CompensateView {
   Verdict verdict;  ///< of the corrected pair under the errors of the spec
 };
 
-/// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
+/// Errors    the errors of answer_contact; `errors` if no teeth of the uncorrected pair touch;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
-///           `compensate.range` if nothing touches at a corner of the range, even with the computed
+///           `compensate.range` if no teeth touch at a corner of the range, even with the computed
 ///           corrections
 /// `curves`  see CompensationTask::curves
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
@@ -49,13 +49,13 @@ class LoadedAim {
  public:
   /// Computes the compliance of the teeth for the load of the job.
   ///
-  /// Errors    the errors of load_task; the errors of judge_load if nothing touches or if the
+  /// Errors    the errors of load_task; the errors of judge_load if no teeth touch or if the
   ///           slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
-  /// Returns the aim. It is the peak-to-peak transmission error in rad, or the pressure in MPa,
-  /// under the worst torque. If `corrections` modify a gear, this gear must have a field of removed
-  /// material.
+  /// Returns the quantity to minimise. It is the peak-to-peak transmission error in rad, or the
+  /// pressure in MPa, under the torque for which it is greatest. If `corrections` modify a gear,
+  /// this gear must have a field of removed material.
   CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
   /// Returns the score for each torque with this number of positions per pitch. See loaded_scores()
   /// for the cases in which a score is NaN.

@@ -45,8 +45,9 @@ center_distance_mm = [-0.02, 0.02]
   }
 }
 
-// The case `worst-inside-the-box` of theory page 14: without corrections, the peak to peak is 4.3″
-// inside the range and at most 0.74″ at its ends. The corrections must hold for the whole range.
+// In the case `worst-inside-the-box` of theory page 14, the peak-to-peak transmission error without
+// corrections is 4.3″ inside the range and at most 0.74″ at its ends. The corrections must hold for
+// the whole range.
 TEST(CompensateAnswer, inside_the_range_nothing_is_worse_than_the_scenarios) {
   constexpr const char* kSpec = R"(
 [gear1]

@@ -15,7 +15,7 @@
 namespace gearwright {
 namespace {
 
-// A misaligned helical pair with coarse tables.
+// Returns a misaligned helical pair with coarse tables.
 std::string spec_of(const std::string& compensate, const std::string& torque = "250") {
   return R"(
 [gear1]
@@ -49,7 +49,7 @@ double aimed(const LoadedScore& s, const std::string& aim) {
   return aim == "pressure" ? s.max_pressure : s.peak_to_peak.arcsec();
 }
 
-// The results of a grid over helix slope and crowning of gear 1.
+// Returns the results of a grid over helix slope and crowning of gear 1.
 std::vector<LoadedScore> scanned(const std::string& text) {
   SolvedJob job = job_of(text);
   const auto load = LoadedAim::of(job, nullptr);
@@ -69,7 +69,7 @@ std::vector<LoadedScore> scanned(const std::string& text) {
   return all;
 }
 
-// A pair with a small module and a large error. Some of the corrections in their ranges are
+// Returns a pair with a small module and a large error. Some of the corrections in their ranges are
 // impossible for its teeth.
 std::string small_spec_of(const std::string& compensate) {
   return R"(

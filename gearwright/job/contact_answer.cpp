@@ -63,8 +63,8 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
 }
 
 // If the flanks of an internal pair overlap by more than this fraction of a pitch, the gears jam
-// without any contact of the fillets. The fillets are then not examined. In this case, many teeth
-// overlap, and their computation can take half a minute.
+// even if the fillets do not touch. The fillets are then not examined, because many teeth overlap
+// and the computation can take half a minute.
 constexpr double kDeepOverlap = 0.05;
 
 // Adds a warning if, under the errors, a tip meets a root fillet before the flanks touch. Without
@@ -107,7 +107,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
     }
     driving.asked[i] < other.asked[j] ? ++i : ++j;
   }
-  // If the flanks already jam, there is already a warning.
+  // If the flanks jam, the pair already has a warning.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
   if (least && !flanks_jam)
     warn_of_jam(*least, answer.setup->gear(2), {}, "root fillets and flanks are", warnings);
@@ -127,8 +127,8 @@ auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
                     analyse_contact(mesh(!gear2_drives), other)};
 }
 
-// Judges the contact of the pair in `setup`, and adds the map and the pattern if `input` requests
-// them.
+// Judges the contact of the pair in `setup`, and adds the map and the pattern that `input`
+// requests.
 Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
                                 std::array<ContactResult, 2> found, const ContactInput& input,
                                 std::vector<Warning>& warnings, Progress* progress) {
@@ -284,8 +284,8 @@ bool any_contact(const ContactResult& result) {
 
 ContactErrors errors_of(const SolvedJob& job) {
   if (!job.mounted()) return {};
-  // An error of the rack's teeth is rejected later, so the pinion may take the place of the rack
-  // here.
+  // An error of the rack's teeth is rejected later. The pinion may therefore take the place of the
+  // rack in this call.
   return job.spec.errors.of({&job.gears.front(), &job.gears.back()});
 }
 

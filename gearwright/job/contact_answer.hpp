@@ -1,6 +1,6 @@
 // The verb `contact` analyses the working and the non-working flanks under the errors and
 // modifications of the spec. The flanks are those of a pair, of a rack and its pinion, or of both
-// halves of a double-helical pair. Each influence has the same name as in results.
+// halves of a double-helical pair.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,7 @@
 
 namespace gearwright {
 
-/// Returns the errors of the spec, for a pair or for a rack and its pinion. A single gear has no
-/// errors.
+/// Returns the errors of the spec, for a pair or for a rack and its pinion. A single gear has none.
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)
@@ -42,17 +41,16 @@ struct ContactAnswer : ContactView {
   std::optional<ContactSetup> setup;
   ContactResult on_halves{};  ///< positions of both halves, on which the verdict is based
 
-  /// The contact of the working flanks, in the form on which the verdict is based.
+  /// Returns the contact of the working flanks, in the form on which the verdict is based.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
-/// True if teeth touch at any position.
 bool any_contact(const ContactResult& result);
 
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
-/// Errors    the errors of setup_of; if no teeth touch at any position, `errors` or, without
-///           errors, `pair.center_distance`
+/// Errors    the errors of setup_of; `errors` if no teeth touch at any position, or
+///           `pair.center_distance` if the spec also has no errors
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);

@@ -1,5 +1,5 @@
-// The contact part of the report. It contains the result, patterns and maps, and describes errors
-// in words.
+// Makes the contact part of the report, which contains the result, patterns and maps, and the
+// errors in words.
 #pragma once
 
 #include <memory>
@@ -26,9 +26,9 @@ struct FlankContact : ContactScene {
   bool below = false;                       ///< true for the half at z < 0
   Angle behind{};                           ///< rotation of this half minus the rotation of gear 1
 
-  /// The patterns on both gears. For a rack, only the pattern on the pinion is used.
+  /// Returns the patterns on both gears. For a rack, only the pattern on the pinion is used.
   std::array<FlankRaster, 2> pattern(int positions, const RasterSize& size) const;
-  /// The gap on gear 1 at a position of this scene.
+  /// Returns the gap on gear 1 at a position of this scene.
   FlankRaster gap(const ContactPoint& at, const RasterSize& size) const;
 };
 
@@ -49,7 +49,7 @@ struct ContactPart {
 /// spaced positions over one pitch. If the spec gives other rotations, they apply to the result
 /// only.
 ///
-/// Errors    the errors of answer_contact: modifications that do not fit, an impossible lead
+/// Errors    the errors of answer_contact, for example modifications that do not fit
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

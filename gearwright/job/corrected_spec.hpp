@@ -1,5 +1,5 @@
-// The names of corrections, and the spec with corrections, for the verbs that search for
-// corrections. Internal to job/.
+// Defines the names of corrections, and makes the spec with corrections, for the verbs that search
+// for corrections. Internal to job/.
 #pragma once
 
 #include <string>

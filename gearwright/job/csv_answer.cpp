@@ -29,11 +29,10 @@ bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.en
 const Value kNothing;
 
 using Cells = std::vector<const Value*>;
-using Rows = std::vector<const ValueRecord*>;  // a record for each row; null if the row has no
-                                               // record
+using Rows = std::vector<const ValueRecord*>;  // for each row, a record or null
 
-// Calls f(column, cells) for columns of a table. A column is included if JSON also has it and if at
-// least one row has a value.
+// Calls f(column, cells) for columns of a table. A column is included if the JSON result also has
+// it and if at least one row has a value.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {

@@ -1,5 +1,5 @@
-// Answers as tables for a spreadsheet (RFC 4180), in the units of the spec. The numbers have enough
-// digits, so reading them gives the same doubles.
+// Writes answers as tables for a spreadsheet (RFC 4180), in the units of the spec. The numbers have
+// so many digits that reading them gives exactly the doubles of the answer.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,7 @@ std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit
 std::string quantities_csv(const SolvedJob& job);
 /// Makes rows as in quantities_csv(), for the measurements of the gears.
 std::string measure_csv(const SolvedJob& job, const std::vector<GearMeasures>& measures);
-/// Makes a row for each position of the working flanks, with a column for each number of the
-/// position.
+/// Makes a row for each position of the working flanks, with a column for each of its numbers.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// Makes a row for each torque and position.
 std::string load_csv(const SolvedJob& job, const LoadAnalysis& answer);
@@ -45,8 +44,7 @@ std::string outline_csv(const Outline& outline, int points, UnitSystem units);
 /// apply.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 
-/// Reads "9x5", the numbers of points along the profile and along the face. Returns none for other
-/// texts.
+/// Reads "9x5", the numbers of points along profile and face. Returns none for other texts.
 std::optional<PointGrid> parse_grid(const std::string& text);
 
 /// Makes a row for each point of tooth 0 over the evaluation ranges, with flank modifications. The
@@ -61,9 +59,8 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
 
 // The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
 
-/// If both flanks of a gear are equal, the gear has one diagram, and otherwise one for each flank.
-/// If a modification does not fit its flank, the gear has no diagram. The verb `contact` reports
-/// this modification.
+/// A gear has one diagram if both flanks are equal, and two diagrams if they differ. It has no
+/// diagram if a modification does not fit its flank. The verb `contact` reports this modification.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

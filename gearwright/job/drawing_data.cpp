@@ -96,8 +96,8 @@ std::string rack_name(const JobSpec& spec, int which) {
 
 namespace {
 
-// Adds the rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the
-// mating gear, and otherwise 0. The workshop may replace the default cutter by another one, so the
+// Adds the rows of a pinion cutter. `mate` is the number of the mating gear if this gear is the
+// cutter, and 0 if it is not. The workshop may replace the default cutter by another one, so the
 // generating centre distance of the default cutter is omitted.
 void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"
@@ -153,8 +153,7 @@ DataGroup teeth(const SolvedJob& job, int which, const Records& r) {
   return group;
 }
 
-// Adds a size with the limits of its fit. If the size has no fit, the cells of the limits are
-// blank.
+// Adds a size with the limits of its fit. Without a fit, the cells of the limits are blank.
 void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
                const std::string& symbol, double size, const std::string& fit,
                const std::optional<std::array<double, 2>>& deviations) {
@@ -266,8 +265,7 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool ha
   return group;
 }
 
-// If there is no flank tolerance class, its row is blank, so that the workshop notices that it is
-// missing.
+// If there is no flank tolerance class, its row is blank. The workshop then notices the omission.
 DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& measure) {
   if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
   DataGroup group{

@@ -1,4 +1,4 @@
-// The data tables of workshop drawings. Internal to job/.
+// Makes the data tables of workshop drawings. Internal to job/.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ struct Records {
   UnitSystem units;
   std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
 
-  /// Returns the text of the member with this path, with its limits if there are any, or none
-  /// without a value.
+  /// Returns the text of the member with this path, with its limits if there are any. Returns none
+  /// if the member has no value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
   /// True if the member with this path has different values at the two tolerance ends.
   bool has_limits(std::string_view path) const;
@@ -32,7 +32,7 @@ struct Records {
   std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const;
 };
 
-/// Adds a row for the member with this path, with its words and its symbol. Does nothing if the
+/// Adds a row for the member with this path, with its label and its symbol. Does nothing if the
 /// member has no value.
 void add_data(DataGroup& group, const Records& records, std::string_view path,
               Sign sign = Sign::kept);

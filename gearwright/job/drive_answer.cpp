@@ -369,7 +369,7 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
     }
   }
-  if (spec["pair"].empty()) spec.erase("pair");  // `pair` may be invalid, as tables were added
+  if (spec["pair"].empty()) spec.erase("pair");  // added tables may invalidate the reference `pair`
   return {std::move(spec), std::move(notes)};
 }
 

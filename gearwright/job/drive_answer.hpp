@@ -1,4 +1,4 @@
-// The answer of the verb `drive`. Internal to job/ and the programs.
+// Makes the answer of the verb `drive`. Internal to job/ and the programs.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Returns tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a
-/// train.
+/// Returns tables for users. They show the whole drive, the bodies, the meshes, the planets, the
+/// phases, and the stages of a train.
 std::string drive_listing(const Drive& drive, UnitSystem units);
 
 /// Returns the answer of the verb `drive`. If the spec has [load], the answer includes the drive
@@ -38,8 +38,8 @@ bool searches_drives(const JobSpec& spec);
 /// (m 2.5)".
 std::string teeth_text(const DriveCandidate& c);
 
-/// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the numbers
-/// of the candidate, the keys of [search] that apply to all candidates, and the other tables of
+/// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the
+/// candidate's numbers, the keys of [search] that apply to all candidates, and the other tables of
 /// `spec`.
 ///
 /// Law       the drive of this spec equals drive_of() for the candidate

@@ -255,7 +255,7 @@ TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
     }
     for (const double j : backlash("thickness_series = \"none\"\n")) EXPECT_NEAR(j, 0.0, 1e-12);
     for (const double j : backlash("thickness_allowance_mm = -0.03\n")) EXPECT_NEAR(j, 0.06, 0.003);
-    // A backlash is the backlash of every mesh, and a band is represented by its mean.
+    // A given backlash applies to every mesh. A band is represented by its mean.
     for (const double j : backlash("backlash_mm = 0.12\n")) EXPECT_NEAR(j, 0.12, 1e-9);
     for (const double j : backlash("backlash_mm = [0.05, 0.09]\n")) EXPECT_NEAR(j, 0.07, 1e-9);
   }

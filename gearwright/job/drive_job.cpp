@@ -18,8 +18,8 @@ namespace gearwright {
 
 namespace {
 
-// Returns the key for a change in the table that describes the drive, or an empty text if there is
-// none.
+// Returns the key of the quantity that `change` changes, in the table of the spec that describes
+// the drive. Returns an empty text if there is no such key.
 std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
   const auto key = [&]() -> const char* {
     switch (change.what) {
@@ -37,7 +37,7 @@ std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange&
   if (tree.contains("planetary")) return fmt::format("planetary.{}.{}", key, name);
   if (tree.contains("drive"))
     return fmt::format("drive.{}[{}].{}", mesh ? "mesh" : "gear", change.index + 1, key);
-  return "";  // a stage has other names for its keys
+  return "";  // a stage has other keys
 }
 
 // Checks double-helical gears and adds their warnings.

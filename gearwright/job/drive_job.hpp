@@ -1,4 +1,4 @@
-// The drive of a spec, with its rating, its verdict and its files.
+// Computes the drive of a spec, with its rating, its verdict and its files.
 #pragma once
 
 #include <filesystem>
@@ -30,11 +30,10 @@ struct DriveJob {
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
-/// Returns the [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the
-/// result.
+/// Returns the [errors] of a spec for each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
-/// Returns the load for a rating, which [rating] or the drive gives.
+/// Returns the load for a rating, as [rating] or the drive gives it.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
@@ -63,8 +62,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nul
 /// Returns the required safety factors of [rating]. If they are absent, they are 1.
 Safeties wanted_safety(const JobSpec& spec);
 
-/// Returns the verdict on the drive. If the drive is rated, the verdict includes the safety
-/// factors.
+/// Returns the verdict on the drive, including the safety factors if the drive is rated.
 Verdict judge(const DriveJob& job);
 
 /// Errors    a drive without a layout; the errors of drive_solids()
@@ -84,9 +82,9 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::vector<ToothedBody>& bodies,
                                 const std::filesystem::path& path, const FileOptions& options);
 
-/// Makes the files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb
-/// and drive.3mf (laid out for printing). If all gears lie in one plane, the function also makes
-/// the outlines drive.dxf and drive.svg.
+/// Makes the files of `run` for a drive in memory. They are result.json, report.html, drive.step,
+/// drive.glb and drive.3mf, which is laid out for printing. If all gears lie in one plane, the
+/// function also makes the outlines drive.dxf and drive.svg.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

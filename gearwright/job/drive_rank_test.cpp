@@ -33,7 +33,7 @@ Answer ranked_search(const std::string& keys, std::size_t top) {
   return testing::taken(answer_drive_search(spec, top, 2));
 }
 
-// The sum of the cylinders of a printed spec, whose gears have the density of steel.
+// Returns the mass of the gears of a printed spec, computed as cylinders of steel, kg.
 double mass_of_cylinders(const Json& printed) {
   const JobSpec spec = testing::taken(read_spec(toml_text(printed), SpecFormat::toml));
   const Drive drive = testing::taken(solve_drive(spec)).drive;
@@ -238,7 +238,7 @@ TEST(DriveRank, CommonFactorsAndOverlapAreLimited) {
     EXPECT_EQ(none["designs"].size(), 0u);
     EXPECT_EQ(none["left_out"]["overlap"], none["computed"]);
   }
-  // All pairs of the bands are tested that have no common factor, and the rest is not counted.
+  // The search tests and counts only pairs of tooth numbers without a common factor.
   long long pairs = 0;
   for (int a = 17; a <= 19; ++a)
     for (int b = 36; b <= 42; ++b) pairs += std::gcd(a, b) == 1 ? 1 : 0;

@@ -235,15 +235,16 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   DriveSearchProblem& problem = task.problem;
   const bool rated = rates_drives(spec, problem);
   if (auto error = set_densities(spec, problem)) return *error;
-  // If the search chooses the shifts of rated trains, the limit of their sliding is that of rated
-  // pairs. Planetary sets have no such limit, because no shifts of small sets satisfy it.
+  // If the search chooses the profile shifts of rated trains, their sliding has the same limit as
+  // that of rated pairs. Planetary sets have no such limit, because small sets cannot satisfy it
+  // with any shifts.
   const PerMember& shift = problem.base.profile_shift;
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())
     problem.sliding = kDrawnSliding;
-  // If the centre distances are limited, every choice of modules is a separate candidate. Trains
-  // with one module may also be treated like trains with several modules. This is done if the order
-  // by mass requires an estimate of the face widths.
+  // Each stage of a rated train may have its own module if the spec permits several modules, or if
+  // the order by mass requires an estimate of the face widths. If the centre distance is limited,
+  // every choice of modules is a separate candidate instead.
   problem.module_per_stage =
       problem.kind == DriveKind::train && rated && !problem.center_distance &&
       (problem.modules.size() > 1 ||

@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMaxContact = 20.0;  // greater than that of any real pair
+constexpr double kMaxContact = 20.0;  // greater than any real transverse contact ratio
 constexpr const char* kChosen =
     "cannot be combined with `fit.few_teeth` = true, which determines this value; leave out this "
     "key";
@@ -89,8 +89,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// Returns the value with nine decimals, as on a drawing. Rounding removes the error of a
-// conversion.
+// Rounds a value to nine decimals, as on a drawing. This removes the error of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
 // Rounds the profile shift to nine decimals if this changes it by less than 1e-12. A shift that was
@@ -159,7 +158,7 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
 }
 
 // Returns a sentence about the backlash and the tip clearances of the design. The backlash of [fit]
-// is circumferential, while that of the pair is measured in the normal section.
+// is circumferential, but the backlash of the pair is measured in the normal section.
 std::string remark_of(const FewTeethDesign& d) {
   const auto& c = d.pair.tip_clearance;
   const auto& j = d.pair.mesh.backlash;

@@ -49,8 +49,7 @@ std::string deviations(const std::vector<ToothedBody>& bodies) {
   return note;
 }
 
-// Returns a note about flank modifications for a drawing. Drawings show the section of the teeth as
-// cut.
+// Returns a note about flank modifications for a drawing. Drawings show the teeth as cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
     if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
@@ -219,8 +218,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   };
   auto made = make(bodies);
   if (made) return made;
-  // Modified teeth may have too many faces for a file. In this case, the file contains the teeth as
-  // cut.
+  // Modified teeth may have too many faces for a file. In this case, the file has the teeth as cut.
   std::vector<ToothedBody> as_cut = bodies;
   bool modified = false;
   const auto cut = [&](ToothedBody& gear) {
@@ -244,8 +242,7 @@ void write_files(const std::vector<JobFile>& files) {
 
 namespace {
 
-// Makes solids, meshes, outlines and the drawing. A gear without an outline causes a warning
-// instead.
+// Makes solids, meshes, outlines and the drawing. A gear without an outline causes a warning.
 Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> made;

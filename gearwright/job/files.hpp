@@ -1,5 +1,5 @@
-// The files of a job: solids, meshes and drawings of the gears, each written completely or not at
-// all.
+// Makes the files of a job, which are solids, meshes and drawings of the gears. Each file is
+// written completely or not at all.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct ReportFile;  // report/report.hpp
 
 using OnFile = std::function<void(std::string_view what)>;
 
-/// The tolerances that a user may choose, mm. Files with a finer tolerance would be too large for
+/// The tolerances that a user may choose, mm. With a finer tolerance, a file would be too large for
 /// any program to read.
 struct ToleranceRange {
   double least, greatest;
@@ -72,8 +72,7 @@ SolidPose pose_of(const SolvedJob& job, int which);
 
 /// Returns one gear, or the rack, as a body in its own frame.
 ///
-/// Errors    the reason why the gear has no outline: an internal gear, a severed tooth, a root
-///           through the axis
+/// Errors    the reason why the gear has no outline, for example a severed tooth
 Result<ToothedBody> make_body(const SolvedJob& job, int which);
 
 /// Converts an error of cad/ about a body to an error about the gear. If the error is about teeth
@@ -110,9 +109,9 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes the files of the job into `folder`: result.json, report.html, drawing.pdf, gear1.*,
-/// gear2.* and pair.*, if the job has them. If FileOptions::only is not empty, only these parts are
-/// written. A gear without an outline has no files, and the job gets a warning.
+/// Writes the files of the job into `folder`. These are result.json, report.html, drawing.pdf,
+/// gear1.*, gear2.* and pair.*, if the job has them. If FileOptions::only is not empty, only these
+/// parts are written. A gear without an outline has no files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

@@ -39,7 +39,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
     tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
-  tree["pair"].erase("mounting");  // the spec gives the centre distance
+  tree["pair"].erase("mounting");  // must not be given together with the centre distance
   return plain_first(tree);
 }
 
@@ -57,8 +57,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// Returns the reason why the verb `pair` rejects the spec of a branch, or none if it accepts the
-// spec.
+// Returns the reason for which the verb `pair` rejects the spec of a branch, or none.
 std::optional<std::string> why_refused(const Json& tree) {
   const auto branch = read_spec_tree(tree);
   if (!branch) return branch.error().message();

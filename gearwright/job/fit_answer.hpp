@@ -33,10 +33,9 @@ Json fit_json(const FitAnswer& answer);
 
 std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
-// The verb `fit` for a pinion with few teeth and the wheel that the pinion cuts ([fit] few_teeth =
-// true).
+// The verb `fit` for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
 
-/// Errors    keys of the spec that are not allowed here, or are missing
+/// Errors    for keys of the spec that are not allowed here, or are missing
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
 
 // The verb `identify` computes the gears that agree with the readings of an unknown gear.

@@ -1,4 +1,4 @@
-// The verdict on the gears, the pair and other results of a job.
+// Computes the verdict on the gears, the pair and other results of a job.
 //
 // The verdict is computed as by judge() for arranged gears (arrange/judge.hpp), but its messages
 // name the keys of the file. Results under load are computed once, at the mean of the tolerances.

@@ -1,4 +1,4 @@
-// Results as listings for users. The program prints them if --json is not given.
+// Writes results as listings for users. The program prints a listing if --json is not given.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace gearwright {
 
-/// Returns the title of the spec on a separate line, after `before`. The text is empty if the spec
-/// has no title.
+/// Returns a line that consists of `before` and the title of the spec. The text is empty if the
+/// spec has no title.
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);
@@ -42,7 +42,6 @@ std::string listing_of(UnitSystem units, const Quantities<S>& quantities,
 /// Domain    the gear has tolerances
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const std::array<ValueRecord, 2>& limits);
-/// The column headings "gear 1" and "gear 2".
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units);
 std::string file_listing(const std::vector<JobFile>& files, UnitSystem units);
@@ -61,7 +60,6 @@ std::string outline_listing(const Outline& outline, int n, UnitSystem units);
 constexpr std::size_t kLineWidth = 80;    ///< width of sentences, the usual width of a terminal
 constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
 
-/// Returns the number of characters of a UTF-8 text.
 std::size_t text_width(std::string_view text);
 /// Returns the text, filled on the right with blanks to `width` characters.
 std::string padded(const std::string& text, std::size_t width);

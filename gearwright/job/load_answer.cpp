@@ -18,8 +18,8 @@ namespace gearwright {
 std::optional<double> torque_of_rating(const JobSpec& spec) {
   if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return std::nullopt;
   const double torque = spec.rating.input.torque;
-  // A torque computed from power and speed has many digits. At least four digits of small torques
-  // are kept.
+  // A torque that is computed from power and speed has many digits. It is rounded, but at least
+  // four digits of a small torque are kept.
   double steps = 1e3;  // per N m
   while (torque * steps < 1e3) steps *= 10;
   return std::round(torque * steps) / steps;
@@ -95,8 +95,7 @@ std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadReg
   return out;
 }
 
-// Lists some positions of a torque. The rows are limited to one page. The option --json lists all
-// positions.
+// Lists some positions of a torque, at most one page. The option --json lists all positions.
 std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
   const auto& positions = view.torque->positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);

@@ -13,9 +13,8 @@
 
 namespace gearwright {
 
-/// Returns the nominal torque of [rating] in N m, for a spec whose [load] has no torque. It has
-/// three decimals, or four digits if it is below 1 N m. Returns none if the spec has neither
-/// torque.
+/// Returns the nominal torque of [rating] in N m. It has three decimals, or four digits if it is
+/// below 1 N m. Returns none if [load] has a torque or if [rating] has none.
 std::optional<double> torque_of_rating(const JobSpec& spec);
 
 /// Computes the result of `load`. If [load] has neither a torque nor probes, the nominal torque of
@@ -34,16 +33,15 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.
 
-/// The report has pointers into the job. It always covers one pitch, even if [load] requests other
-/// rotations.
+/// The report points into the job. It covers one pitch, even if [load] requests other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if [load] requests only probes
 };
 
-/// Returns the load part, or none if [load] requests neither torques nor probes. In three other
-/// cases, there is also no load part, and the job gets a warning: torques are given for a single
-/// gear, the gears have no contact, or the loaded contact does not support them.
+/// Returns the load part, or none if [load] requests neither torques nor probes. There is also no
+/// load part if torques are given for a single gear, if the gears have no contact, or if the loaded
+/// contact does not support the gears. In these three cases, the job gets a warning.
 ///
 /// Errors    the errors of answer_load that are about a wrong number of the spec
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);

@@ -148,7 +148,8 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_EQ(error->field, "load.torques");
 }
 
-// A misaligned spur pair under a light load: the reasons in the message explain the difference.
+// If the stiffness differs from the standard, the message gives the reasons, for example an error
+// of the axes or a light load.
 TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
   const auto note_of = [](const std::string& more) {
     SolvedJob job = loaded_job(

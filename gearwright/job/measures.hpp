@@ -1,5 +1,5 @@
-// The verb `measure`, and the description of a gear by another rack. Internal to job/ and the
-// programs.
+// Computes the results of the verb `measure`, and describes a gear by another rack. Internal to
+// job/ and the programs.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 namespace gearwright {
 
 /// Returns the measurements of each gear with the tools of [gearN.measure], or else with the usual
-/// tools. If a measurement that was not requested is impossible, it is absent, and the job gets a
-/// warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
+/// tools. If a measurement that was not requested is impossible, it is absent, and the job gets the
+/// warning `no_chord`, `no_span`, `no_balls` or `no_pins`. A contact off the usable flank also
 /// causes a warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
@@ -23,16 +23,17 @@ Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
 /// Returns the diameter of North American practice for balls and pins, mm (ANSI/AGMA 2002-B88, the
 /// sizes of Van Keuren). It is 1.728/P for an external gear and for a rack, and 1.68/P for an
-/// internal gear. P is the diametral pitch of this gear or of gear 1. Returns none unless the spec
-/// is in inch and gives P.
+/// internal gear. P is the diametral pitch of this gear or of gear 1. If the spec is not in inch or
+/// does not give P, returns none.
 std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, bool internal,
                                              double normal_module);
 
 /// Returns the measurements as records for the page. Impossible measurements are omitted.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
-/// Returns, for each gear, the numbers that differ between the lower and the upper end of its
-/// tolerances. They are two records, or none. Without tolerances, the list is empty.
+/// Returns, for each gear, two records with the numbers that differ between the lower and the upper
+/// end of its tolerances. If a gear has no such numbers, it has no records. Without tolerances, the
+/// list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
 /// Returns the record of job_record(), in which each of `gears` has an additional member `measure`.
@@ -41,8 +42,7 @@ Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& meas
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
-/// The rack that the user gives with --as-rack as "module,angle". One of the two numbers may be
-/// missing.
+/// The rack that the user gives with --as-rack as "module,angle". One number may be missing.
 struct RackQuestion {
   std::optional<double> normal_module;  ///< mm
   std::optional<Angle> normal_pressure_angle;

@@ -132,8 +132,7 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
   if (lead.any()) {
     for (const ReliefProposal& r : reliefs) list.proposals.push_back(tips_of(r, 0.0));
     add({});
-    list.remarks.clear();  // remarks on the reliefs with the helix modifications of `lead` replace
-                           // these remarks
+    list.remarks.clear();  // they are made again for reliefs with the modifications of `lead`
     reliefs = find_reliefs(job, task, compliance, &lead, list.remarks);
   }
   for (const ReliefProposal& r : reliefs) add(tips_of(r, 0.0));
@@ -145,8 +144,8 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
 
 namespace {
 
-// Amounts are whole µm, and starts have three decimals of a millimetre. Rounding removes additional
-// digits of the conversion.
+// Amounts are whole µm, and starts of reliefs have three decimals of a millimetre. Rounding removes
+// the additional digits that a conversion of units adds.
 double decimals(double x, double steps) { return std::round(x * steps) / steps; }
 double um(double mm) { return decimals(mm * kUmPerMm, 1.0); }
 double diameter(double mm) { return decimals(mm, kUmPerMm); }

@@ -116,9 +116,9 @@ const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limit
 // helix slopes. Because p_H ∝ √F, 10 % more pressure corresponds to 21 % more torque.
 constexpr double kMostPressure = 1.1;
 
-// Returns 2 if an edge carries load, 1 if an edge carries load only at the limits of the helix
-// slopes, and 0 if no edge carries load. If the pressure exceeds kMostPressure · least, the result
-// is at least 1.
+// Returns 0 if no edge carries load, 1 if an edge carries load only at the limits of the helix
+// slopes, and 2 if an edge carries load without deviations. If the pressure exceeds kMostPressure ·
+// least, the result is at least 1.
 int edge_rank(const Proposal& p, double least) {
   if (p.worst.edge_carries) return 2;
   return pressed(p).edge_carries || p.worst.max_pressure > kMostPressure * least;
@@ -128,8 +128,7 @@ bool rises(const LoadedScore& s, const LoadedScore& given) {
   return std::isfinite(given.peak_to_peak.rad()) && s.peak_to_peak.rad() > given.peak_to_peak.rad();
 }
 
-// True if a proposal has a result, and its transmission error does not exceed that of the spec as
-// given.
+// True if a proposal has a result whose transmission error does not exceed that of the given spec.
 bool is_possible(const Proposal& p, const Proposal& given) {
   return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure) &&
          !rises(p.worst, given.worst);
@@ -232,8 +231,8 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  // The proposal with the smaller merit is chosen. A later proposal changes more of the spec. At
-  // equal rank, it is therefore chosen only if its merit is smaller by more than 1 %.
+  // The proposal with the smaller merit is better. Later proposals change more of the spec. At
+  // equal rank, a later proposal is therefore chosen only if its merit is smaller by more than 1 %.
   constexpr double kWorth = 0.99;
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };

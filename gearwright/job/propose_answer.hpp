@@ -45,8 +45,7 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 /// the computation fails.
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
-// The modifications that are proposed for a pair, without their effects. Only files of job/ use
-// them.
+// The modifications proposed for a pair, without their effects. Only files of job/ use them.
 
 /// The combined deviations of both gears in mm, normal to the flank. They are empty if neither gear
 /// has an accuracy grade. The two gears deviate independently, so each value is the root of the sum
@@ -62,7 +61,7 @@ GradeDeviations grade_deviations(const SolvedJob& job);
 struct ProposalList {
   std::vector<Proposal> proposals;
   std::optional<std::array<double, 2>>
-      short_deflection{};            ///< C_i  mm, for the shortest reliefs with the helix
+      short_deflection{};            ///< C_i  mm, of the shortest reliefs for the helix
                                      ///< modifications of the spec
   std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };

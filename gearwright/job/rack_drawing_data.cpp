@@ -12,14 +12,14 @@ namespace gearwright {
 
 namespace {
 
-// Adds a row whose value is not a result. Such rows have the form of the dimensions of the sheet.
+// Adds a row for a length that is not in the records of the results.
 void add_rack_length(DataGroup& group, UnitSystem units, const char* words, const char* symbol,
                      double mm) {
   group.rows.push_back({words, symbol, with_minus(length_text(units, mm))});
 }
 
-// If no number of teeth or no height is given, the body has a default. The dimensions of the height
-// and the dimension over a pin depend on the height of the body.
+// The rows state whether the number of teeth and the height of the body are defaults. The
+// dimensions of the height and the dimension over a pin depend on the height of the body.
 DataGroup rack_teeth(const SolvedJob& job, const Records& r) {
   const RackGeometry& rack = job.rack->rack;
   DataGroup group{"Rack data, symbols of ISO 21771", {}};

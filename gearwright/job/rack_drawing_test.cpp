@@ -51,8 +51,8 @@ bool has_text(const Sheet& sheet, const std::string& words) {
                      [&](const SheetText& t) { return t.text == words; });
 }
 
-// The area of a closed path of chords and arcs. The segment between an arc and its chord has the
-// area r² (φ − sin φ)/2 with the sweep φ = 4 atan b and the chord 2 r sin(φ/2).
+// Returns the area of a closed path of chords and arcs. The segment between an arc and its chord
+// has the area r² (φ − sin φ)/2 with the sweep φ = 4 atan b and the chord 2 r sin(φ/2).
 double enclosed_area(const SheetPath& path) {
   double sum = 0.0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -66,7 +66,7 @@ double enclosed_area(const SheetPath& path) {
   return sum;
 }
 
-// The paths of the section, which have more points than all others of the outline.
+// Returns the paths of the section, which have more points than all others of the outline.
 std::vector<SheetPath> profiles(const Sheet& sheet) {
   std::vector<SheetPath> found;
   for (const SheetPath& p : sheet.paths)

@@ -1,4 +1,5 @@
-// The option --as-rack of the verb `gear`. It describes the same teeth by another rack.
+// Implements the option --as-rack of the verb `gear`, which describes the teeth of a gear by
+// another rack.
 #include <fmt/format.h>
 
 #include <cmath>

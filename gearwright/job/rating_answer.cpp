@@ -74,8 +74,7 @@ void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
        0});
 }
 
-// Returns K_Hβ from the load along the teeth. Notes about gear bodies are added if the job lacks
-// them.
+// Returns K_Hβ from the load along the teeth. Adds notes about gear bodies if the job lacks them.
 Result<FaceLoads> face_loads_of(SolvedJob& job, Progress* progress) {
   std::vector<Warning> notes;
   auto faces =

@@ -12,8 +12,8 @@
 namespace gearwright {
 namespace {
 
-// A case-hardened pair with a pinion near one of its bearings. Most tests use spur gears, for which
-// the load is computed three times as fast.
+// Returns a case-hardened pair with a pinion near one of its bearings. Most tests use spur gears,
+// for which the load is computed three times as fast.
 Json shafted_pair(double crowning_um = 0.0, double helix_angle_deg = 0.0) {
   Json tree = Json::parse(R"({
     "gear1": {"teeth": 23, "normal_module_mm": 3, "face_width_mm": 30,

@@ -16,8 +16,8 @@ Json warnings_json(const std::vector<Warning>& warnings) {
 }
 
 Json titled_record(const JobSpec& spec) {
-  // The members of an object are copied when its vector grows, so the vector has room for all
-  // members of an answer.
+  // When the vector of an object grows, its members are copied. The vector therefore reserves space
+  // for all members of an answer.
   constexpr std::size_t kMembers = 8;
   Json::object_t record;
   record.reserve(kMembers);
@@ -90,8 +90,8 @@ Json error_json(const Error& error) {
 
 namespace {
 
-// True if the values differ by more than rounding errors. Numbers that do not depend on the
-// tolerance also have such rounding errors.
+// True if the values differ by more than rounding errors. A number that does not depend on the
+// tolerances may still differ by rounding errors.
 bool differ(double a, double b) {
   constexpr double kRounding = 1e-13;
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));

@@ -1,6 +1,6 @@
-// Results as JSON. They are the whole result with every key in the order of the interface, single
-// values of the catalogue, and the range of a record within tolerances. Internal to job/, the
-// programs and tests.
+// Converts results to JSON. A whole result has every key, in the order of the interface. This
+// header also converts single values of the catalogue, and the range of a record within tolerances.
+// Internal to job/, the programs and tests.
 #pragma once
 
 #include <array>
@@ -51,7 +51,8 @@ Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
 
-// The range of a record within tolerances: the numbers that differ, in JSON and for users.
+// The range of a record within tolerances. It consists of the numbers that differ, in JSON and for
+// users.
 
 /// A record of the gears and the pair of one combination of toleranced numbers.
 using RecordAt = std::function<ValueRecord(const Arranged&)>;
@@ -77,8 +78,8 @@ std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper);
 
 // Converts a value of the catalogue to JSON, with the keys for JSON, and back.
 
-/// Converts a value to JSON. Reading the JSON gives the same doubles. An absent value, NaN and
-/// infinity become null.
+/// Converts a value to JSON. Reading the JSON gives exactly the doubles of the value. An absent
+/// value, NaN and infinity become null.
 Json to_json(const Value& value);
 
 /// Converts a tree of JSON to a value, for example a spec inside a result.
@@ -89,7 +90,7 @@ Value to_value(const Json& json);
 /// Returns every table of a result, each followed by the tables of its records.
 std::vector<const QuantityTable*> result_tables();
 
-/// Returns the schema of the results of all verbs with --json, including the error for a rejected
+/// Returns the schema of the results of all verbs with --json, and of the error for a rejected
 /// spec.
 Json result_schema();
 

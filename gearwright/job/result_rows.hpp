@@ -1,5 +1,5 @@
-// The rows of results as JSON, for the tables of the page. They have the words, values and units of
-// the listings (job/listing.hpp). Internal to job/ and the programs.
+// Makes the rows of results as JSON, for the tables of the page. The rows have the words, values
+// and units of the listings (job/listing.hpp). Internal to job/ and the programs.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// A table of the page: one or two records of the same quantities.
+/// A table of the page with one or two records of the same quantities.
 struct RowTable {
   std::string_view name;  ///< first word of the ids, "gears"
   const QuantityTable& quantities;

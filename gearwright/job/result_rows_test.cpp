@@ -24,7 +24,8 @@
 namespace gearwright {
 namespace {
 
-// The words of a line, with one blank between them. The listing writes "-" for an absent value.
+// Returns the words of a line, with one blank between them. The listing writes "-" for an absent
+// value.
 std::string collapsed(const std::string& line) {
   std::istringstream words(line);
   std::string text;
@@ -43,7 +44,8 @@ std::set<std::string> lines_of(const Json& rows) {
   return lines;
 }
 
-// The lines of a listing with a quantity. Headings are not indented, except those of the columns.
+// Returns the lines of a listing with a quantity. Headings are not indented, except those of the
+// columns.
 std::vector<std::string> rows_in(const std::string& listing) {
   std::vector<std::string> rows;
   std::istringstream text(listing);

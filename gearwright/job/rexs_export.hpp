@@ -1,7 +1,6 @@
 // Writes a pair or a drive as a REXS file, with gears, flanks, tools, shafts, stages and the load.
 //
-// The version is 1.7. Version 2.0 has the same names with few exceptions. Internal to job/ and the
-// programs.
+// The version is 1.7. Version 2.0 has nearly the same names. Internal to job/ and the programs.
 #pragma once
 
 #include <filesystem>

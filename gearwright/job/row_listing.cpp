@@ -62,8 +62,8 @@ std::vector<std::string> broken(const std::string& words, std::size_t most) {
   return lines;
 }
 
-// Returns the lines of a column: its heading, broken at `head_width` and filled up to `heads`
-// lines, its unit, and its cells.
+// Returns the lines of a column. They are its heading, broken at `head_width` and filled up to
+// `heads` lines, then its unit, and then its cells.
 std::vector<std::string> lines_of(const ListingColumn& column, std::size_t head_width,
                                   std::size_t heads) {
   std::vector<std::string> lines = broken(column.head, head_width);
@@ -99,8 +99,7 @@ bool all_equal(const ListingColumn& column) {
                      [&](const std::string& cell) { return cell == column.cells.front(); });
 }
 
-// True if every number of `a` is `factor` times the number of `b`, and if both columns have the
-// same unit.
+// True if every number of `a` is `factor` times the number of `b`, and both have the same unit.
 bool proportional(const ListingColumn& a, const ListingColumn& b, double factor) {
   // If two formulas compute the same quantity, the results differ only by rounding errors.
   constexpr double kRounding = 1e-9;

@@ -112,7 +112,7 @@ TEST(DesignListing, lists_common_values_above_the_table) {
             "  2  20.0  20.0  2.00\n");
 }
 
-// Values that differ only behind the shown digits have the same text. A value that one design lacks
+// Values that differ only after the shown digits have the same text. A value that one design lacks
 // is not common.
 TEST(DesignListing, compares_the_shown_texts) {
   const std::string text =

@@ -1,6 +1,6 @@
-// The folder of `run`. It contains a list of the files of a run with their sizes and checksums. The
-// next run removes the files of this list that it does not write itself. If the user has changed or
-// replaced a file, the file is kept.
+// Writes the folder of `run`. The folder contains a list of the files of a run with their sizes and
+// checksums. The next run removes the files of this list that it does not write itself. If the user
+// has changed or replaced a file, the file is kept.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
                         f.path.filename().string());
   }
   write_files(files);
-  // The old list stays valid until the new list is written. If the program stops in between, the
+  // The old list stays valid until the new list is written. If the program stops before that, the
   // next run removes the files of the old list.
   for (const Listed& was : former) {
     const bool again = std::any_of(files.begin(), files.end(),

@@ -1,5 +1,6 @@
-// The optional parts of a run: corrections, scatter and strength. A part is empty if the spec has
-// no table for it, or if it cannot be computed for these gears. Internal to job/.
+// Computes the optional parts of a run, which are corrections, scatter and strength. A part is
+// empty if the spec has no table for it, or if the part cannot be computed for these gears.
+// Internal to job/.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace gearwright {
 
-/// Returns the corrections of [compensate]. If they cannot be computed, for example because nothing
-/// touches, the result is empty, and the job gets a warning.
+/// Returns the corrections of [compensate]. If they cannot be computed, for example because no
+/// teeth touch, the result is empty, and the job gets a warning.
 ///
 /// Errors    those of answer_compensate()
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress);
@@ -23,7 +24,7 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress);
 
 /// Returns the strength according to [rating]. The rating may need the load along the teeth. If
-/// this load cannot be computed, for example because nothing touches, the result is empty, and the
+/// this load cannot be computed, for example because no teeth touch, the result is empty, and the
 /// job gets a warning.
 ///
 /// Errors    those of answer_rating()

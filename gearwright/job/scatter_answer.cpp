@@ -22,7 +22,7 @@ namespace {
 
 // Greatest number of samples for patterns, summed over all replicates.
 constexpr int kPatternSamples = 256;
-// Number of positions per pitch for loaded teeth, if [load] does not give it.
+// Number of positions per pitch for loaded teeth, if [load] does not give this number.
 constexpr int kLoadedPositions = 16;
 // Greatest number of positions per pitch for patterns. A parabola interpolates the gap between
 // positions.
@@ -107,8 +107,8 @@ class Grades {
     };
     add_waves("profile_waves", {which, false, gear.profile_waves.value_or(kWaves), f.profile_form});
     add_waves("helix_waves", {which, true, gear.helix_waves.value_or(kWaves), f.helix_form});
-    // Pitch deviations affect only the error over the long period. This error is computed only for
-    // pairs that are not double-helical.
+    // Pitch deviations affect only the transmission error over the long period. This error is
+    // computed only for pairs that are not double-helical.
     if (!job_.halves[0])
       all_.push_back({table + "pitch", 1.0, share,
                       VaryingPitch{which, f.total_pitch, f.single_pitch}, source_});
@@ -130,12 +130,12 @@ class Grades {
   double helix_total_ = 0.0;  // F_β of the worse gear  mm
 };
 
-// Number of positions per pitch, if [contact] does not give it. It is sufficient for the
+// Number of positions per pitch, if [contact] does not give this number. It is sufficient for the
 // peak-to-peak transmission error.
 constexpr int kScatterPositions = 32;
 
 Distribution distribution_of(const DistributionSpec& spec) {
-  auto made = Distribution::of(spec);  // cannot fail, because the reader has checked it
+  auto made = Distribution::of(spec);  // cannot fail, because the reader has checked `spec`
   GW_EXPECTS(made);
   return std::move(made).take();
 }

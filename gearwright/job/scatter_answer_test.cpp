@@ -67,7 +67,7 @@ Json loaded_spec(double torque) {
   return spec;
 }
 
-// The spec of the only sample, without [scatter].
+// Returns the spec of the only sample, without [scatter].
 Json of_sample(Json spec, const Json& spread) {
   spec["errors"] = spread["samples"][0]["errors"];
   spec.erase("scatter");
@@ -157,7 +157,7 @@ TEST(ScatterAnswer, TheCorrectedSpecHasTheCorrections) {
   const double before = robust["before"]["percentile_arcsec"];
   const double after = robust["after"]["percentile_arcsec"];
   EXPECT_LT(after, 0.9 * before) << robust.dump();
-  // The printed spec, with the seed of the samples for comparison.
+  // The printed spec is run with the seed of the samples for comparison.
   Json corrected = answer["spec"];
   EXPECT_FALSE(corrected["scatter"].contains("robust"));
   EXPECT_NEAR(corrected["gear1"]["modifications"]["lead_crowning_um"].get<double>(),
@@ -315,8 +315,8 @@ TEST(ScatterAnswer, TablesHaveARowForEachSample) {
   EXPECT_EQ(scatter_answered(tree), scatter_answered(tree));
 }
 
-// The raster is in the result only with the key, and the shares are computed from at most 256
-// samples.
+// The raster is in the result only if the key `pattern` is given, and the shares are computed from
+// at most 256 samples.
 TEST(ScatterAnswer, PatternsAreCountedOnRequest) {
   const std::string family =
       R"({"samples": 256, "replicates": 4, "errors": {"crossing_deg": [-0.02, 0.02]})";

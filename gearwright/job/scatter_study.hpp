@@ -1,5 +1,5 @@
-// A study: the scatter of every design of a search, ranked by a percentile of the transmission
-// error.
+// Runs a study, which computes the scatter of every design of a search and ranks the designs by a
+// percentile of the transmission error.
 //
 //   N   rank of a design in the search, as in `search --take N`
 //
@@ -57,8 +57,9 @@ struct StudyRun {
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
 
-/// Computes the rows of this process that are missing in the folder options.out. If the study is
-/// then complete, all rows are appended to `rows`, in the order of the list and without a ranking.
+/// Computes the rows of this process that are missing in the folder options.out. If all rows of the
+/// study exist afterwards, they are appended to `rows`, in the order of the list and without a
+/// ranking.
 ///
 /// Throws    IoError, WorkStopped
 /// Errors    "--out" if the folder belongs to another study; the errors of study_row()
@@ -66,7 +67,7 @@ Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
                                     const std::vector<ListedDesign>& list,
                                     const StudyOptions& options, std::vector<Json>& rows);
 
-/// Computes the rows of this process. If no row of the study is missing then, ranks all rows.
+/// Computes the rows of this process. If all rows of the study exist afterwards, ranks them.
 ///
 /// Domain    a spec with [search] (contract)
 /// Throws    IoError, WorkStopped
@@ -91,7 +92,6 @@ bool loses_contact(const JobSpec& spec, const Json& row);
 /// without a scatter are moved to `refused`.
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 
-/// Returns the result, `scatter_designs`, as JSON.
 Json study_json(const JobSpec& spec, const StudyRun& run);
 /// Returns the whole result as JSON text, with one design per line.
 std::string study_json_text(const JobSpec& spec, const StudyRun& run);

@@ -42,8 +42,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// Returns a value from the table of a gear. If gear 2 does not give the value, that of gear 1 is
-// used.
+// Returns a value from the table of a gear. If gear 2 lacks the value, returns that of gear 1.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
@@ -76,7 +75,8 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
-// Example: "β from 5° to 30° is a default. …"; empty if the spec determines the helix angles.
+// Returns, for example, "β from 5° to 30° is a default. …". The text is empty if the spec
+// determines the helix angles.
 std::string default_helix_line(const SearchProblem& problem) {
   if (!problem.default_helix_deg) return {};
   const auto& [least, greatest] = *problem.default_helix_deg;

@@ -1,5 +1,5 @@
-// Outputs of a search: the JSON, the table for users, and a design as the spec of a pair.
-// Internal to job/ and the programs.
+// Makes the outputs of a search, which are the JSON, the table for users, and a design as the spec
+// of a pair. Internal to job/ and the programs.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The folder of a search. While the search runs, the folder contains the chunks. At the end, it
-// contains the files below, each written completely or not at all. Internal to job/ and the
+// Writes the folder of a search. While the search runs, the folder contains the chunks. At the end,
+// it contains the files below, each written completely or not at all. Internal to job/ and the
 // programs.
 //
 //   search.parquet   every feasible design, in the order of the trials
@@ -57,8 +57,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
 /// must not write files into that folder. Returns none otherwise.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs the missing chunks of the search in options.out. If no chunk is missing then, makes the
-/// files.
+/// Runs the missing chunks of the search in options.out. If all chunks then exist, makes the files.
 ///
 /// Throws    IoError
 /// Errors    an existing campaign, or a finished search of another spec; --resume without a

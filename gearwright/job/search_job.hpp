@@ -1,5 +1,4 @@
-// The verb `search`. It runs a search in memory, or as a campaign, which keeps its finished chunks
-// on disk.
+// The verb `search` runs a search in memory, or as a campaign that keeps finished chunks on disk.
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
@@ -44,7 +43,7 @@ struct SearchOptions : CampaignOptions {
                                        ///< size of the search
   std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
-  /// Called many times a second, by one thread at a time.
+  /// This function is called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
   /// If the caller sets this to true, the search ends at once and discards unfinished chunks.
   const std::atomic<bool>* stop = nullptr;
@@ -73,8 +72,7 @@ struct SearchRun : SearchView {
   std::vector<std::filesystem::path> files;
 };
 
-/// Returns a run that has not started. It records the parts of the spec that this search does not
-/// read.
+/// Returns a run that has not started. It records the parts of the spec that the search ignores.
 SearchRun begun(const JobSpec& spec, const Search& search);
 
 /// Greatest number of chunks of a search. A folder and its list cannot hold more.
@@ -98,7 +96,8 @@ Error no_search();
 Error no_tooth_numbers();
 
 /// Determines when regions are computed. If the ranking or a table of all designs needs them, they
-/// are computed at once. Otherwise, they are computed at the end, for the listed designs only.
+/// are computed at once. Otherwise, only the regions of the listed designs are computed, at the
+/// end.
 RegionDetail detail_of(const SearchProblem& problem, bool files);
 
 /// Returns all inputs that determine the result, as lines "key = value". `more` names further

@@ -1,4 +1,4 @@
-// The columns of the CSV and Parquet tables of a search, made from the catalogue. Each quantity
+// Makes the columns of the CSV and Parquet tables of a search from the catalogue. Each quantity
 // with a column name has one column. A quantity of both gears has two columns. Internal to job/ and
 // the programs.
 #pragma once

@@ -241,7 +241,7 @@ TEST_P(LongSearchWishes, ListedDesignsAreThoseOfARun) {
   EXPECT_LT(tally.refused, 10);
 }
 
-// A thousand wishes, in groups of a hundred.
+// Tests a thousand random specs, in groups of a hundred.
 INSTANTIATE_TEST_SUITE_P(Hundreds, LongSearchWishes, ::testing::Range(0, 10));
 
 }  // namespace

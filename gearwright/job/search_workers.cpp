@@ -32,8 +32,8 @@ void SearchWorkers::work(const Done& done) {
   const SearchWatch watch = [&](std::int64_t trials) {
     trials_done_ += trials;
     if (stopped()) return false;
-    constexpr unsigned kSeldom = 16;  // of the calls without finished trials, only every 16th is
-                                      // reported, to save time
+    constexpr unsigned kSeldom = 16;  // to save time, only every 16th call without finished trials
+                                      // is reported
     if (trials > 0 || calls++ % kSeldom == 0) report_progress();
     return true;
   };

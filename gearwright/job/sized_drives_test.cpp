@@ -46,7 +46,8 @@ std::vector<std::string> weak_meshes(const Answer& rated) {
   return weak;
 }
 
-// Law: a sized set is green, and with one millimetre less in a mesh, this mesh lacks a safety.
+// Law: a set with computed face widths is green. If the face width of a mesh is one millimetre
+// less, this mesh lacks a required safety.
 TEST(SizedDrives, EveryMeshOfASetHasItsLeastWidth) {
   for (const std::string keys :
        {"kind = \"planetary\"\nratio = [4.4, 4.6]\nplanets = [3, 4]\nnormal_module_mm = [1, 2]\n"
@@ -88,7 +89,8 @@ TEST(SizedDrives, EveryMeshOfASetHasItsLeastWidth) {
 }
 
 // A sun drives a planet that meshes with two rings (3K). The planet spans both rings, and each mesh
-// has its least width: with one millimetre less, the mesh of the ring or of the sun lacks a safety.
+// has its least width. With one millimetre less, the mesh of the ring or of the sun lacks a
+// required safety.
 TEST(SizedDrives, ThePlanetOfTwoRingsSpansTheirLeastWidths) {
   const Answer answer = sized_search(
       "kind = \"wolfrom\"\nratio = [-95, 95]\nsun_teeth = [14, 16]\nplanet_teeth = [18, 19]\n"

@@ -121,8 +121,8 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   SolvedJob job{std::move(arranged).take(), spec};
   if (auto error = find_halves(job)) return *error;
-  // Warnings are for the author of the file. In their text, keys of the file replace the names of
-  // members.
+  // The author of the file reads the warnings. Their texts therefore contain keys of the file
+  // instead of names of members.
   for (Warning& w : job.warnings)
     w.message = spelled(w.message, spec.given, w.gear == 0 ? "" : gear_field(w.gear));
   return job;

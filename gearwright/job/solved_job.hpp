@@ -27,8 +27,8 @@ struct SolvedJob : Arranged {
   std::array<const Gear*, 2> flanked_gears() const {
     return {&gears.front(), gears.size() > 1 ? &gears.back() : nullptr};
   }
-  /// Returns arranged_corners() of the tolerances, computed at the first call. Copies share the
-  /// result.
+  /// Returns arranged_corners() of the tolerances, computed at the first call. Copies of the job
+  /// share the result.
   const std::vector<Arranged>& corners() const;
 
   struct Corners {
@@ -49,11 +49,11 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 /// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
-/// Returns the error for a result that needs two gears if gear 2 is a rack, and otherwise none.
+/// If gear 2 is a rack, returns the error for a result that needs two gears, otherwise none.
 std::optional<Error> two_gears_error(const JobSpec& spec);
 
-/// Returns the error for a result that needs single-helical gears if the gears are not
-/// single-helical, and otherwise none.
+/// If a gear is double-helical, returns the error for a result that needs single-helical gears.
+/// Otherwise, returns none.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
 /// Returns the verb that can compute missing numbers: "search", "identify" or "fit". `error` is

@@ -1,5 +1,5 @@
-// The result of a study as JSON, CSV, a table for a terminal and a page. All outputs except JSON
-// use the same table of columns.
+// Writes the result of a study as JSON, CSV, a table for a terminal and a page. All outputs except
+// JSON use the same table of columns.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace gearwright {
 
 namespace {
 
-// A column. It has headings in CSV and in a terminal, and the path of its value in a row. In the
-// path, % stands for the number of the percentile.
+// A column with its headings in CSV and in a terminal, and with the path of its value in a row. In
+// this path, % stands for the number of the percentile.
 struct StudyColumn {
   const char* csv;
   const char* head;  ///< empty if only CSV has the column
@@ -107,8 +107,7 @@ std::string lost_words(const JobSpec& spec, const StudyRun& run) {
                      100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 
-// Returns a sentence if the gears of the best design jam in some samples, and otherwise an empty
-// text.
+// Returns a sentence if the gears of the best design jam in some samples, otherwise an empty text.
 std::string jam_words(const StudyRun& run) {
   if (run.designs.empty()) return "";
   const Json& best = run.designs[0];

@@ -235,7 +235,7 @@ TEST(TrainSearchAnswerTest, TheTrainsOfCoaxialTeethAreCoaxial) {
   }
 }
 
-// The centre distances of a found train, from its spec.
+// Returns the centre distances of a found train, from its spec.
 std::vector<double> distances_of(const Json& found) {
   const auto job = solve_drive(*read_spec(toml_text(found), SpecFormat::toml));
   EXPECT_TRUE(job) << job.error().message();
@@ -320,7 +320,7 @@ TEST(TrainSearchAnswerTest, TooManyTrainsAreRefused) {
   EXPECT_NE(answer.error().rule.find("wheel_teeth"), std::string::npos);
 }
 
-// The sliding of a stage rules out all trains that contain it, without computing them.
+// A stage with too much sliding excludes all trains that contain it before they are computed.
 TEST(TrainSearchAnswerTest, TheSlidingOfAStageIsComputedOnce) {
   const std::string keys =
       "ratio = [11.8, 12.2]\npinion_teeth = [17, 28]\nwheel_teeth = [50, 110]\n";
@@ -336,7 +336,7 @@ TEST(TrainSearchAnswerTest, TheSlidingOfAStageIsComputedOnce) {
   for (const Json& design : search["designs"]) EXPECT_LE(design["sliding_max"], 1.4);
 }
 
-// Rated trains have the limit of rated pairs, unless the spec gives a limit or the shifts.
+// If the spec gives neither a limit nor the shifts, rated trains have the limit of rated pairs.
 TEST(TrainSearchAnswerTest, SlidingIsLimitedByDefault) {
   const auto greatest = [](const std::string& more) {
     const auto answer =

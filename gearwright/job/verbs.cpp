@@ -30,8 +30,8 @@ namespace gearwright {
 
 namespace {
 
-// The steps of a verb after the gears and the pair have been solved: the result, the verdict and
-// the output.
+// The functions of a verb that run after the gears and the pair have been solved. They compute the
+// result, judge it and write it.
 template <class Found>
 struct Solving {
   Scope scope;
@@ -78,7 +78,6 @@ Json record_of(const SolvedJob& job, const Found& found) {
   return titled_record(job.spec, quantities().table().name.c_str(), quantities().of(found));
 }
 
-// Returns the rows of the quantities of an answer.
 template <const auto& (*quantities)(), class Found>
 Json table_rows(const Found& found, UnitSystem units) {
   const QuantityTable& table = quantities().table();
@@ -209,8 +208,8 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// Returns a function that returns the source of a quantity of a rating: the clause of the standard
-// and, if the clause distinguishes cases, the case that applies.
+// Returns a function that gives the source of a quantity of a rating. The source is the clause of
+// the standard and, if the clause distinguishes cases, the case that applies.
 auto sources_of(const RatingAnswer& answer, UnitSystem units) {
   return [&answer, units](const QuantityInfo& info) {
     return sentence_in(units, source_text(answer.rating, info.key));

@@ -1,4 +1,4 @@
-// The table of the verbs, which all interfaces use.
+// Defines the table of the verbs, which all interfaces use.
 //
 // Each row of the table is a verb with its name, its meaning, an example, the properties of its
 // result and its function. The command line (with its help, completion and manual page), batch,
@@ -48,18 +48,17 @@ Answer in_units_of(const JobSpec& spec, Answer answer);
 /// Returns the record in the units of the answer. If the verb judges gears, `warnings` and
 /// `verdict` follow. If it does not, `warnings` follow only if there are any.
 Json answer_json(const Answer& answer);
-/// Returns the listing, the warnings and the verdict.
 std::string answer_text(const Answer& answer);
 
 struct Verb {
   const char* name;
   const char* meaning;  ///< one sentence without its full stop
   const char* example;
-  SpecUse use;       ///< kind of use; the spec must contain all inputs that it requires
+  SpecUse use;       ///< use of the spec by the verb; it determines the inputs that are required
   bool csv, strict;  ///< `csv`: true if the result has a table; `strict`: true if it has a verdict
   bool lasts;        ///< true if the verb may take seconds; its progress is then shown
-  /// The option --take. It does not exist, is a flag for a single proposed spec, or is a number
-  /// that selects one of several specs.
+  /// The kind of the option --take. A verb has no such option, a flag for a single proposed spec,
+  /// or a number that selects one of several specs.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
   Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
@@ -73,7 +72,7 @@ struct Verb {
   Result<Answer> run(const JobSpec& spec, Progress* progress) const;
 };
 
-/// All verbs, in the order in which users see them.
+/// Returns all verbs, in the order in which users see them.
 std::span<const Verb> verbs();
 /// Returns the verb with this name, or null if there is none.
 const Verb* find_verb(std::string_view name);

@@ -36,8 +36,7 @@ SurfaceRequirements textures(const DrawingInput& words, const std::string& flank
           texture(words.face_roughness), texture(words.bore_roughness), "", ""};
 }
 
-// If [drawing] has no texture of the flanks, but [rating] gives their Rz, this Rz is used as the
-// texture.
+// If [drawing] has no texture of the flanks, but [rating] gives their Rz, this Rz is the texture.
 SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   std::string flank;
   const UnitSystem units = job.spec.units();

@@ -1,5 +1,4 @@
-// The workshop drawings of a job. There is one sheet for each gear or rack, as PDF, SVG or
-// DXF.
+// Makes the workshop drawings of a job as PDF, SVG or DXF, with one sheet for each gear or rack.
 #pragma once
 
 #include <filesystem>

@@ -199,7 +199,7 @@ TEST(WorkshopDrawing, has_the_runout_and_the_texture_of_its_surfaces) {
   for (const char* words : {"0.03", "0.0125", "Ra 0.4", "0.008-0.8/Ra 3.2", "Ra 0.8", "−0.3"})
     EXPECT_EQ(count(all, words), 1) << words;
   EXPECT_EQ(count(all, "A"), 3);  // the datum and the two runouts
-  // The value of an absent key is blank: only its symbol is there.
+  // If a key is absent, its symbol is drawn without a value.
   EXPECT_EQ(count(bored, "Ra 0.4"), 0);
   EXPECT_EQ(count(bored, "A"), 3);
   const std::string inch =
@@ -208,7 +208,7 @@ TEST(WorkshopDrawing, has_the_runout_and_the_texture_of_its_surfaces) {
   EXPECT_EQ(count(inch, "0.00125"), 1);
 }
 
-// The roughness of a rating is that of the drawing, unless the drawing has its own.
+// If the drawing has no roughness of its own, the roughness of the rating is used.
 TEST(WorkshopDrawing, takes_the_roughness_of_the_flanks_from_the_rating) {
   const std::string pair =
       "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\n[gear2]\nteeth = 41\n"
@@ -226,8 +226,8 @@ TEST(WorkshopDrawing, has_no_blank_symbols_beside_a_general_texture) {
   };
   const std::string solid = gear("teeth = 40\nnormal_module_mm = 2\nface_width_mm = 20");
   const std::string general = "[drawing]\nsurface_texture = \"Ra 3.2\"\n";
-  // The symbols of flanks and faces have three lines each, and the leader of the flanks two and an
-  // arrow.
+  // The symbols of flanks and faces have three lines each, and the leader of the flanks has two
+  // lines and an arrow.
   EXPECT_EQ(lines(solid), lines(general + solid) + 9);
   EXPECT_EQ(lines(solid), lines(general + "flank_roughness = \"Ra 1\"\n" + solid) + 3);
 }
@@ -369,7 +369,7 @@ TEST(WorkshopDrawing, has_the_drawing_number_of_the_mating_gear) {
             1);
 }
 
-// Only given data are shown: the usual hardness of a named material is not.
+// Only given data are shown. The usual hardness of a named material is not shown.
 TEST(WorkshopDrawing, has_the_heat_treatment_of_the_material) {
   const auto with = [](const std::string& material) {
     return gear("teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\nmaterial = " + material);

@@ -22,7 +22,7 @@ double shift_of(const InvolutePair& pair) {
   return pair.center_distance - pair.reference_center_distance;
 }
 
-// The reference circles near the mesh, with the axes at the centre distance a.
+// Draws the reference circles near the mesh, with the axes at the centre distance a.
 Figure with_axes(const std::string& id, const std::string& title, const std::string& description,
                  const InvolutePair& pair, double a) {
   const double r_1 = reference_radius(pair, 0), r_2 = reference_radius(pair, 1);

@@ -20,10 +20,10 @@ namespace {
 constexpr double kArcAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, width of a picture
 
-// The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's
-// rack. Each point is (height towards the mating gear, position along the datum line). If
-// `mate` is true, the outline is turned upside down and moved by half a pitch, which gives the
-// rack of the mating gear.
+// Returns the outline of five teeth of a rack, in the frame of the middle tooth of the convex
+// gear's rack. Each point is (height towards the mating gear, position along the datum line). If
+// `mate` is true, the outline is turned upside down and moved by half a pitch, which gives the rack
+// of the mating gear.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -38,8 +38,7 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// Closes a chain of points to form a polygon, by a line at the height `depth` inside the
-// material.
+// Closes a chain of points to a polygon by a line at the height `depth` inside the material.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
   const Vec2 last = chain.back();
@@ -48,7 +47,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// An empty figure of a plane. The middle of the figure is `up` mm above the origin.
+// Draws an empty figure of a plane. The middle of the figure is `up` mm above the origin.
 Figure plane_of(const std::string& id, const std::string& title, const std::string& description,
                 double m, double up) {
   const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kArcAspect / 2);
@@ -104,7 +103,7 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   return best;
 }
 
-// "■ gear 1, convex: ρ = … mm, a = … mm, b = … mm"
+// Returns, for example, "■ gear 1, convex: ρ = … mm, a = … mm, b = … mm".
 std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) {
   return fmt::format("{} {} = {} mm, {} = {} mm, {} = {} mm",
                      caption_key(kInk[gear], fmt::format("gear {}, {}:", gear + 1, shape)),
@@ -144,8 +143,7 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   add_arc_radius(f, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   f.line({upright(M), upright(M + 1.1 * m * n)}, "action-line");
-  // The angle θ_0 between the common normal and the pitch line is drawn at the point where they
-  // cross.
+  // The angle θ_0 between the common normal and the pitch line is drawn where they cross.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;

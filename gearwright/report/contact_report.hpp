@@ -42,9 +42,10 @@ struct ContactReport : ContactScene {
 /// then conjugate.
 inline constexpr double kConjugate = 1e-6;
 
-/// The result of tooth contact in one or two sentences of plain text, for all interfaces. The text
-/// states the transmission error, and whether the flanks touch along lines, at points or at edges.
-/// `span` is the peak to peak of the continuous transmission error, if it was computed.
+/// Returns the result of tooth contact in one or two sentences of plain text, for all interfaces.
+/// The text states the transmission error, and whether the flanks touch along lines, at points or
+/// at edges. `span` is the peak-to-peak value of the continuous transmission error, if it was
+/// computed.
 std::string contact_words(const ContactResult& contact, std::optional<Angle> span = {});
 
 }  // namespace gearwright

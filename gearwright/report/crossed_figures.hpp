@@ -1,5 +1,4 @@
-// The pictures of a crossed pair: in plan, in section, on its faces, and over the pressure angle of
-// the common rack.
+// Draws a crossed pair in plan, in section, on its faces and over the common rack's pressure angle.
 //
 //   A–E       leading line of action    T_1, T_2  base tangent points    C  pitch point of gear 1
 //   A′–E′     trailing line of action: the leading line turned by 180° about the centre line
@@ -30,18 +29,18 @@
 
 namespace gearwright {
 
-/// A point of the housing, seen in plan, mm: (y, z).
+/// Returns a point of the housing, seen in plan, mm: (y, z).
 Vec2 in_plan(const Point<Housing>& p);
 
-/// The corners, in plan, of the cylinder of gear `which` (0, 1) with `radius` and the face width.
+/// Returns the corners in plan of the cylinder of gear `which` (0, 1) with `radius` and face width.
 std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
-/// The lines of action in plan, and both whole gears in plan.
+/// Draws the lines of action in plan, and both whole gears in plan.
 std::array<Figure, 2> plan_figures(const InvolutePair& pair);
 
 std::string plan_part(const InvolutePair& pair, const FigureForm& form = {});
 
-/// The projection of a point of the housing onto the section, (h, x) in mm.
+/// Returns the projection of a point of the housing onto the section, (h, x) in mm.
 ///
 /// Formula   h = −σ y cos β_1 + z sin β_1; σ = −1 if gear 2 is internal, else 1
 Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
@@ -52,7 +51,8 @@ struct SectionEllipse {
   double half_height;  ///< along x, mm
 };
 
-/// The cylinder of `radius` about the axis of gear `which` (0, 1), cut by the plane of the section.
+/// Returns the cylinder of `radius` about the axis of gear `which` (0, 1), cut by the plane of the
+/// section.
 ///
 /// Formula   centre (z_L tan β_1, 0), (−σ z_L tan β_2, a); half width r/cos β_i, half height r
 /// Domain    radius > 0 (contract)
@@ -60,42 +60,43 @@ SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, 
 
 Figure section_figure(const InvolutePair& pair);
 
-/// Centre distance, shaft angle and contact ratio of the pair without backlash, as functions of the
-/// pressure angle α_wn of the common rack, with one panel for each. Marks show the least centre
-/// distance, its approximations, and the mounted pair.
+/// Draws the centre distance, the shaft angle and the contact ratio of the pair without backlash in
+/// three panels. They are functions of the pressure angle α_wn of the common rack. Marks show the
+/// least centre distance, its approximations, and the mounted pair.
 std::string range_figure(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// The required face widths f and f′ as functions of α_wn, with the actual face widths.
+/// Draws the required face widths f and f′ as functions of α_wn, with the actual face widths.
 Figure face_width_figure(const CrossedPair& pair);
 
-/// The faces from end to end, with the parts that the leading and the trailing line of action use.
+/// Draws the faces from end to end, with the parts that the leading and the trailing line use.
 ///
 /// Domain    the flanks meet (contract)
 Figure face_use_figure(const CrossedPair& pair);
 
-/// Sliding of the flanks, across the teeth (as on parallel axes) and along the teeth (as in a
-/// screw), mm per radian of gear 1.
+/// Draws the sliding of the flanks, across the teeth (as on parallel axes) and along the teeth (as
+/// in a screw), mm per radian of gear 1.
 ///
 /// Domain    the flanks meet (contract)
 Figure speed_figure(const CrossedPair& pair);
 
-/// A table of the speeds of the contact over each flank at the points of the path of contact.
+/// Writes a table of the contact speeds over each flank at the points of the path of contact.
 ///
 /// Domain    the flanks meet (contract)
 std::string speed_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// The exact least centre distance, and approximations for manual calculation. The solutions of
-/// pair/series.hpp are marked on a magnified part of the curve a(α_wn). Empty if there is no least
-/// centre distance, if the gears have different racks, or if all solutions agree within 1e-6 µm.
+/// Draws the exact least centre distance, and approximations for manual calculation. The solutions
+/// of pair/series.hpp are marked on a magnified part of the curve a(α_wn). The result is empty if
+/// there is no least centre distance, if the gears have different racks, or if all solutions agree
+/// within 1e-6 µm.
 std::string min_distance_figure(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// A table of the exact least centre distance and its approximations. Each row shows one solution:
-/// its α_wn, the exact shaft angle and centre distance at this α_wn, and the differences Δ from the
-/// exact solution. If all solutions agree (the sum of shifts is 0), a sentence replaces the table.
-/// Empty if there are no approximations.
+/// Writes a table of the exact least centre distance and its approximations. Each row shows the
+/// α_wn of one solution, the exact shaft angle and centre distance at this α_wn, and the
+/// differences Δ from the exact solution. If all solutions agree (the sum of shifts is 0), a
+/// sentence replaces the table. The result is empty if there are no approximations.
 std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// The table and the figure of the least centre distance, in a folded section for manual checks.
+/// Writes table and figure of the least centre distance, in a folded section for manual checks.
 std::string min_distance_part(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

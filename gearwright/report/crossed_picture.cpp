@@ -42,7 +42,7 @@ void add_face(Figure& f, const InvolutePair& pair, std::size_t i, double radius,
   f.area({corners.begin(), corners.end()}, style + kInk[i]);
 }
 
-// Half the width and height of the area that contains the tips of both gears, mm.
+// Returns half the width and height of the area that contains the tips of both gears, mm.
 Vec2 extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const std::size_t i : {0u, 1u}) {
@@ -52,7 +52,7 @@ Vec2 extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the width and height of the area that contains the lines of action, mm.
+// Returns half the width and height of the area that contains the lines of action, mm.
 Vec2 lines_extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const double rho1 : line_ends(pair))
@@ -60,15 +60,15 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the width and height, mm, of a picture that contains `half` with a margin. `aspect` is the
-// ratio of width to height of the picture.
+// Returns half the width and height, mm, of a picture that contains `half` with a margin. `aspect`
+// is the ratio of width to height of the picture.
 Vec2 window(const Vec2& half, double aspect) {
   const double wide = std::max(1.17 * half.x(), 1.2 * aspect * half.y());
   return {wide, wide / aspect};
 }
 
-// Half the width and height of the plan, mm. It contains the lines of action with their letters,
-// and a sufficient part of the gears.
+// Returns half the width and height of the plan, mm. It contains the lines of action with their
+// letters, and a sufficient part of the gears.
 Vec2 plan_window(const InvolutePair& pair) {
   const Vec2 whole = window(extent(pair), kPlanAspect);
   const Vec2 close = 1.25 * window(lines_extent(pair).cwiseMax(1e-3 * extent(pair)), kPlanAspect);

@@ -31,9 +31,9 @@ constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack can
 
 double deg(double rad) { return kDegPerRad * rad; }
 
-// Transverse pressure angle of the limiting gear. The samples are spaced by this angle. The
-// pressure angle of the common rack is unsuitable as a parameter, because it is stationary at the
-// limit.
+// Returns the transverse pressure angle of the limiting gear. The samples are spaced by this angle.
+// The pressure angle of the common rack is unsuitable as a parameter, because it is stationary at
+// the limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
   const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));
@@ -50,8 +50,8 @@ std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, doubl
   return CrossedSample{place, mesh.path_ratio, face_widths(mesh)};
 }
 
-// The two gears with the module and the pressure angle of one common rack. None if their racks
-// differ.
+// Returns the two gears with the module and the pressure angle of one common rack. Returns none if
+// their racks differ.
 std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {

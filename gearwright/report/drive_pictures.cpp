@@ -30,8 +30,8 @@ constexpr double kPhaseModules = 6.5;  // modules, size of the area in a picture
 constexpr double kTeethPerSecond = 1.2;
 constexpr int kSliderSteps = 240;  // number of positions of the slider
 
-// Degrees, clockwise as in SVG, by which a body turns while t runs from 0 to 1. `ratio` is the
-// speed of the body divided by the speed of the input.
+// Returns the angle by which a body turns while t runs from 0 to 1, in degrees, clockwise as in
+// SVG. `ratio` is the speed of the body divided by the speed of the input.
 double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input_turns; }
 
 class Pictures {
@@ -75,14 +75,14 @@ class Pictures {
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
   std::size_t body_of(const PlacedGear& placed) const { return graph_.gears[placed.gear].body; }
-  // The motion of a rack while t runs from 0 to 1, mm along along_rack().
+  // Returns the distance that a rack moves along along_rack() while t runs from 0 to 1, mm.
   double travel_of(const PlacedGear& rack) const {
     return -ratio(body_of(rack)) * turns_ * drive_.rack_pitch(body_of(rack)).value_or(0.0);
   }
 
-  // The turns of the input during the motion of a drive with racks. The motion is one turn of the
-  // input, or less if a rack would move by more than half its length. If the input is a rack, only
-  // the lengths of the racks limit the motion. None without a rack.
+  // Returns the turns of the input during the motion of a drive with racks. The motion is one turn
+  // of the input, or less if a rack would move by more than half its length. If the input is a
+  // rack, only the lengths of the racks limit the motion. Returns none without a rack.
   std::optional<double> turns_of_racks() const {
     std::optional<double> turns;
     for (const PlacedGear& p : layout_.gears) {
@@ -251,8 +251,8 @@ class Pictures {
         escaped(graph_.bodies[input].name), least, least + 1.0, 1.0 / kSliderSteps, shown);
   }
 
-  // One picture for every mesh between a planet and a central gear. In every picture, the planet is
-  // above the central gear. A planet with phase γ lags γ pitches behind the first planet.
+  // Returns one picture for every mesh between a planet and a central gear. In every picture, the
+  // planet is above the central gear. A planet with phase γ lags γ pitches behind the first planet.
   std::string phases() {
     std::string text;
     for (const PlanetSet& set : drive_.sets) {

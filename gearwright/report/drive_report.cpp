@@ -46,7 +46,7 @@ std::string drive_kind(const Drive& drive) {
   return text;
 }
 
-// A table with a column for each body, or for each mesh.
+// Writes a table with a column for each body, or for each mesh.
 template <class View, class List>
 std::string table_of(const std::string& caption, const Quantities<View>& quantities,
                      const Drive& drive, const List& list, UnitSystem units) {

@@ -21,10 +21,10 @@ constexpr std::array kWidthStyles{"g1", "g2 fine", "dash g1", "dash g2 fine"};
 
 double degrees_of(double rad) { return Angle::radians(rad).deg(); }
 
-// The upper end of the axis of face widths. The axis contains the required and the actual widths.
-// Where the contact ratio is at least 1, the axis also contains the curves, but only up to 1.8
-// times the greatest of these widths. The curves are cut off above this limit, because the required
-// face width is unbounded if the lines of action move along the teeth.
+// Returns the upper end of the axis of face widths. The axis contains the required and the actual
+// widths. Where the contact ratio is at least 1, the axis also contains the curves, but only up to
+// 1.8 times the greatest of these widths. The curves are cut off above this limit, because the
+// required face width is unbounded if the lines of action move along the teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
@@ -53,7 +53,7 @@ void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, do
   f.point(E, 3.0, "mark " + style + "-dot", leading ? "E" : "E′", {-side, 0.0});
 }
 
-// A sentence about the parts of the lines of action that lie outside the faces.
+// Returns a sentence about the parts of the lines of action that lie outside the faces.
 std::string beyond(const CrossedPair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {
@@ -81,7 +81,7 @@ Sliding sliding_at(const CrossedPair& pair, double rho1) {
   return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
 }
 
-// Distance along the line of action from C, mm.
+// Returns the distance along the line of action from C, mm.
 double along_line(const CrossedPair& pair, double rho1) {
   return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
 }

@@ -1,5 +1,5 @@
-// The pictures of one gear: the tooth, the root, and the tooth at other profile shifts. For a gear
-// with few teeth, the root is compared with the root that the rack alone would cut.
+// Draws the pictures of one gear, which are the tooth, the root, and the tooth at other profile
+// shifts. For a gear with few teeth, the root is compared with the root that the rack alone cuts.
 //
 //   F    point of the flank on the base circle (roll angle ξ = 0), where undercut begins
 //   C, J where the circular root fillet and the circular tip fillet touch the flank
@@ -36,16 +36,18 @@ void add_upright_gear(Figure& figure, const Gear& gear, const std::string& shape
 void add_upright_arcs(Figure& figure, const Gear& gear,
                       const std::function<const char*(ArcName)>& style);
 
-/// Writes the name of a circle about the axis of the upright gear into the column at the right, at
-/// the height at which the circle leaves the plot. Does nothing if this height is outside the plot.
+/// Writes the name of a circle about the axis of the upright gear into the right column. The height
+/// of the name is the height at which the circle leaves the plot. Does nothing if this height is
+/// outside the plot.
 void lead_circle(Figure& figure, double radius, std::string_view symbol, int decimals);
 
-/// The tooth, pointing up, with its arcs in colours, the circles of the drawing and a legend.
+/// Draws the tooth, pointing up, with its arcs in colours, the circles of the drawing and a legend.
 ///
 /// Domain    the gear has an outline (contract)
 Figure tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// HTML with the figure of the tooth. If there is no outline, a paragraph gives the reason.
+/// Writes the figure of the tooth as HTML. If the gear has no outline, the result is a paragraph
+/// with the reason.
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name,
                        UnitSystem units = UnitSystem::mm);
 
@@ -53,21 +55,21 @@ std::string tooth_part(const Gear& gear, const std::string& shape, const std::st
 /// outline, cut by a rack. It must also have a circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
-/// The gear as its rack alone would cut it, without circular fillets. None if the spec has no
-/// circular fillets, or if the gear cannot be made without them.
+/// Returns the gear as its rack alone would cut it, without circular fillets. Returns none if the
+/// spec has no circular fillets, or if the gear cannot be made without them.
 std::optional<Gear> by_rack_alone(const Gear& gear);
 
-/// The point of the flank on the base circle, on the side y > 0, mm.
+/// Returns the point of the flank on the base circle, on the side y > 0, mm.
 ///
 /// Formula   r_b e^{i ψ_b}, ψ_b = s_bt/d_b
 Vec2 undercut_limit_point(const Gear& gear);
 
-/// The root of the tooth, without a caption.
+/// Draws the root of the tooth, without a caption.
 ///
 /// Domain    root_is_worth_a_picture() (contract)
 Figure root_plot(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// The picture of the root with its caption; empty if root_is_worth_a_picture() is false.
+/// Draws the root with its caption. The result is empty if root_is_worth_a_picture() is false.
 std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name,
                         UnitSystem units = UnitSystem::mm);
 
@@ -75,8 +77,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
 struct ShiftedTooth {
   double shift;                 ///< x
   bool own;                     ///< true if this is the gear's own shift
-  Gear rack_cut;                ///< the gear without circular fillets, which may be a gear that
-                                ///< cannot exist
+  Gear rack_cut;                ///< the gear without circular fillets; may be impossible
   std::optional<Gear> rounded;  ///< with the circular root fillet; none if the fillet does not fit
 };
 
@@ -84,7 +85,7 @@ struct ShiftedTooth {
 /// undercut. For other gears, a picture does not help to choose the profile shift.
 bool shift_is_worth_a_picture(const Gear& gear);
 
-/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tip
+/// Returns the gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tip
 /// diameters that result from the rack. A `rounded` gear has the circular root fillet of the given
 /// gear, or by default a root fillet that begins at the undercut limit. It has the tip fillet of
 /// the given gear if this tip fillet fits.
@@ -92,9 +93,9 @@ bool shift_is_worth_a_picture(const Gear& gear);
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// Pictures of the teeth of shifted_teeth(), all at the same scale. Each picture shows the root as
-/// the rack cuts it and, if a circular root fillet fits, the root with this fillet. Empty if
-/// shift_is_worth_a_picture() is false.
+/// Draws the teeth of shifted_teeth(), all at the same scale. Each picture shows the root as the
+/// rack cuts it and, if a circular root fillet fits, the root with this fillet. The result is empty
+/// if shift_is_worth_a_picture() is false.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

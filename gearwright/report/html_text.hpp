@@ -1,5 +1,5 @@
-// Writes pieces of HTML: links, pictures in columns, and tables of values. Symbols in HTML are
-// written by figure/markup.hpp.
+// Writes links, pictures in columns, and tables of values as HTML. Symbols in HTML are written by
+// figure/markup.hpp.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ constexpr int kLengthDigits = 4;  ///< mm: 0.1 µm, the last digit on a gear dra
 constexpr int kAngleDigits = 5;   ///< degrees: 0.17 µm on a radius of 1 m
 constexpr int kRatioDigits = 4;   ///< pure numbers
 
-/// A relative link to the file `name`. All characters except letters, digits, - . _ ~ and / are
-/// percent-encoded.
+/// Returns a relative link to the file `name`. All characters except letters, digits, - . _ ~ and /
+/// are percent-encoded.
 std::string file_link(std::string_view name);
 
-/// Figures in columns; empty if there are none.
+/// Returns the figures in columns, or an empty text if there are none.
 std::string side_by_side(std::string_view figures);
 
 /// Returns the legend of the colours of gear 1 and gear 2.

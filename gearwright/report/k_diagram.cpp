@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kFlat = 1.0;  // µm; least range of the axis of deviations
 
-// The tolerance band over the evaluation range. Its borders are the design trace, moved up and
-// moved down by half of the tolerance.
+// Returns the tolerance band over the evaluation range. Its borders are the design trace, moved up
+// and moved down by half of the tolerance.
 std::vector<Vec2> band(const FlankTrace& trace) {
   std::vector<Vec2> upper, lower;
   for (const Vec2& p : trace.design) {

@@ -1,5 +1,5 @@
-// The K-diagram of a flank: design profile and design helix, and the band within which a measured
-// trace must lie for the accuracy grade of the gear.
+// Draws the K-diagram of a flank. It shows the design profile and the design helix, and the band
+// within which a measured trace must lie for the accuracy grade of the gear.
 //
 //   L   roll length, mm       z   axial position from the middle of the face, mm
 //   deviations in µm, positive out of the material
@@ -28,7 +28,7 @@ struct KDiagram {
   FlankTrace profile, helix;
 };
 
-/// The figures with their captions, side by side. Empty if there are no diagrams.
+/// Draws the diagrams with their captions, side by side. The result is empty if there are none.
 std::string k_figures(const std::vector<KDiagram>& diagrams, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// No two labels of a picture overlap. The test uses 200 random pairs and some difficult ones.
+// Tests that no two labels of a picture overlap. The test uses 200 random pairs and some difficult
+// ones.
 //
 // Labels are read from the SVG of the page. The width of a letter is assumed to be 0.56 times the
 // font size, which is near the mean of the fonts in the style. Its height is assumed to be 0.62
@@ -33,8 +34,8 @@ std::string_view between(std::string_view text, std::string_view from, std::stri
 
 double number(std::string_view text) { return std::atof(std::string(text).c_str()); }
 
-// The text without tags, and its length in letters. An entity counts as one letter, and a letter in
-// a subscript as three quarters of one.
+// Returns the text without tags, and its length in letters. An entity counts as one letter, and a
+// letter in a subscript as three quarters of one.
 std::pair<std::string, double> plain(std::string_view markup) {
   std::string words;
   double letters = 0.0;

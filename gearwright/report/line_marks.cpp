@@ -20,7 +20,7 @@ constexpr double kCharacter = 0.0155;
 constexpr double kLetterHeight = 0.054;
 
 constexpr double kTouchingLines = 0.003;  // share of the width; nearer lines count as touching
-constexpr double kFar = 3.2;  // path lengths; line_ends() omits points that are farther away
+constexpr double kFar = 3.2;  // path lengths; line_ends() omits points farther from the path
 
 std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
@@ -34,9 +34,9 @@ std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   return marks;
 }
 
-// The side of a line on which the letter of the point p is drawn. In general, this side faces away
-// from the other line. If the distance of the lines is at most `touching`, the letters of the
-// leading line are above it, and the letters of the trailing line are below it.
+// Returns the side of a line on which the letter of the point p is drawn. In general, this side
+// faces away from the other line. If the distance of the lines is at most `touching`, the letters
+// of the leading line are above it, and the letters of the trailing line are below it.
 Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const Vec2& other_along,
                  double touching, bool leading) {
   const Vec2 across(-along.y(), along.x());

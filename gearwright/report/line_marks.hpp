@@ -20,7 +20,7 @@ struct PathMark {
   const char* style = "";  ///< style of the dot
 };
 
-/// The points A to E that lie between A and `last`, in alphabetical order. B = E − step is
+/// Returns the points A to E that lie between A and `last`, in alphabetical order. B = E − step is
 /// omitted if the path is shorter than one step, because B would lie before A.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
@@ -36,8 +36,8 @@ struct LetterAt {
 /// that there is room for the letters at the top and at both ends of the x axis.
 void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
 
-/// ρ_1 of the points that a picture should contain: A, E, C and the base tangent points. C and the
-/// base tangent points are omitted if they are far from A and E.
+/// Returns ρ_1 of the points that a picture should contain: A, E, C and the base tangent points. C
+/// and the base tangent points are omitted if they are far from A and E.
 std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
@@ -49,7 +49,7 @@ void add_lines_of_action(Figure& figure, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);
 
-/// The explanation of the letters of the points and of the line styles, for a caption (HTML).
+/// Explains the letters of the points and the line styles, for a caption (HTML).
 std::string line_key();
 
 }  // namespace gearwright

@@ -141,7 +141,7 @@ std::string pictures_of(const LoadScene& report, const std::array<std::string, 2
          root_part(report, shapes, form.units);
 }
 
-// The pictures of each half of a double-helical pair, under half of the torque.
+// Writes the pictures of each half of a double-helical pair, under half of the torque.
 std::string halves_of(const LoadScene& report, const std::array<std::string, 2>& shapes,
                       const FigureForm& form) {
   std::vector<std::string> pictures;

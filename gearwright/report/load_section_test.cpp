@@ -144,8 +144,8 @@ TEST(LoadSection, CurvesOfTheToothPairsAddUpToOne) {
   }
 }
 
-// If some positions have no result, or even all but one, the curves have gaps and the page is still
-// complete.
+// If some positions have no result, or if only one has a result, the curves have gaps, but the page
+// is still complete.
 TEST(LoadSection, PositionsWithoutAnAnswerAreGaps) {
   for (const bool only_one : {false, true}) {
     LoadSample s = load_sample(testing::spur_pair(), {50e3, 150e3}, 0.01);

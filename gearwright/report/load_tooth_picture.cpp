@@ -27,8 +27,7 @@ struct Fillet {
 };
 
 Fillet fillet_of(const LoadScene& report, std::size_t which) {
-  // The outline runs towards the tip. The material is on its right, or on its left for an internal
-  // gear.
+  // The outline runs to the tip. The material is on its right, or on its left for an internal gear.
   const double side = report.gears[which]->side();
   const Eigen::MatrixXd& stress = shown_torque(report).root_stress[which];
   Fillet f;

@@ -1,4 +1,5 @@
-// Parts that all pages share: the head, the style, the hint about pictures, and the spec.
+// Writes the parts that all pages share, which are the head, the style, the hint about pictures,
+// and the spec.
 //
 // Style sheets and scripts are files in report/page/. The build converts each file into a function
 // with the name of the file (cmake/gw_embed.cmake).
@@ -16,14 +17,15 @@
 
 namespace gearwright {
 
-/// Widths of figures other than kFigureWidth, px: beside a table or narrow figures, of a plane in a
-/// column, beside a wide figure, and in a row of small figures.
+/// Widths of figures, px, in addition to kFigureWidth. A wide figure is beside a table or narrow
+/// figures, and a plane figure is in a column. A narrow figure is beside a wide one, and small
+/// figures form a row.
 inline constexpr double kWideFigure = 640.0, kPlaneFigure = 520.0, kNarrowFigure = 420.0,
                         kSmallFigure = 240.0;
 
-/// The form in which a section shows its figures. It consists of the unit of lengths, a prefix for
-/// the ids of the figures (ids must be unique in a page), and the ids of the figures at the head of
-/// the page. Sections omit those figures.
+/// The form in which a section shows its figures. It consists of the unit of lengths, a prefix that
+/// makes the ids of the figures unique in the page, and the ids of the figures at the head of the
+/// page. Sections omit the figures at the head of the page.
 struct FigureForm {
   UnitSystem units = UnitSystem::mm;
   std::string prefix;
@@ -32,8 +34,8 @@ struct FigureForm {
   // This constructor converts a system of units to a form without a prefix.
   FigureForm(UnitSystem in = UnitSystem::mm, std::string before = {})
       : units(in), prefix(std::move(before)) {}
-  /// Returns figure_html() of the figure in this form. Empty if the figure is already at the head
-  /// of the page, or if there is no figure.
+  /// Returns figure_html() of the figure in this form. The result is empty if the figure is already
+  /// at the head of the page, or if there is no figure.
   std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
   std::string html(std::optional<Figure> figure) const;
   /// Returns side_by_side() of these figures and of `more`, which is HTML. If the head of the page
@@ -42,21 +44,21 @@ struct FigureForm {
                   const std::string& more = {}) const;
 };
 
-/// The style sheet of every page. On screen, the preference of the user determines whether the page
-/// is light or dark. On paper, the page is always light. The colours of figures are in
+/// Returns the style sheet of every page. On screen, the preference of the user determines whether
+/// the page is light or dark. On paper, the page is always light. The colours of figures are in
 /// figure/figure_style.css.
 std::string_view page_style();
 
-/// Additional styles for the page of a design search: the wide table, colours of the edges of a
-/// region, dots and curves of the charts.
+/// Returns additional styles for the page of a design search. They apply to the wide table, the
+/// edges of a region, and the dots and curves of the charts.
 std::string_view search_style();
 
-/// Makes every picture zoomable (zoom_script.js) and unfolds the tables before printing. Without
-/// the script the pictures are static and complete.
+/// Returns the script that makes every picture zoomable (zoom_script.js) and unfolds the tables
+/// before printing. Without the script, the pictures are static and complete.
 std::string_view page_script();
 
-/// The page from the doctype to </head>, including the style. `title` and `version` are plain text.
-/// `more_style` is added to the style of the page.
+/// Returns the page from the doctype to </head>, including the style. `title` and `version` are
+/// plain text. `more_style` is added to the style of the page.
 std::string page_head(std::string_view title, std::string_view version,
                       std::string_view more_style = "");
 
@@ -75,10 +77,11 @@ struct ReportPage {
 };
 std::string page_html(const ReportPage& page);
 
-/// The hint about zooming. It is hidden until the script of the page makes it visible.
+/// Returns the hint about zooming. It is hidden until the script of the page makes it visible.
 std::string picture_hint();
 
-/// The sections of a page, preceded by a list of links to their headings. Short pages have no list.
+/// Returns the sections of a page after a list of links to their headings. Short pages have no
+/// list.
 std::string with_contents(const std::string& sections);
 
 // The control that turns the gears of a picture (figure/mesh.hpp), and its script.
@@ -88,11 +91,11 @@ std::string with_contents(const std::string& sections);
 //
 // Without the script, and on paper, the picture is static at t = 0.
 
-/// A button and a slider (HTML) for all pictures in the same group of figures. They are hidden
-/// until the script makes them visible.
+/// Returns a button and a slider (HTML) for all pictures in the same group of figures. They are
+/// hidden until the script makes them visible.
 std::string turn_control(const InvolutePair& pair);
 
-/// The script of this control, figure/turn_script.js. The web page uses the same file.
+/// Returns the script of this control, figure/turn_script.js. The web page uses the same file.
 std::string_view turn_script();
 
 }  // namespace gearwright

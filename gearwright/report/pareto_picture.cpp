@@ -39,8 +39,8 @@ std::string title_of(const DesignRow& row) {
                      fixed(row.shift[1], 4));
 }
 
-// The quantity on the second axis if there is a single objective: the centre distance, or the ratio
-// if the centre distance is given.
+// Returns the quantity on the second axis if there is a single objective. It is the centre
+// distance, or the ratio if the centre distance is given.
 PlotAxis across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])

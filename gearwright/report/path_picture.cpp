@@ -71,7 +71,7 @@ std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
   return gear == 1 ? s.zeta_1 : s.zeta_2;
 }
 
-// The lower end of the axis: a multiple of 0.5 slightly below the least sliding at A and E.
+// Returns the lower end of the axis, a multiple of 0.5 slightly below the least sliding at A and E.
 double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {

@@ -40,7 +40,7 @@ TEST(PathFigures, RulerHasTheLengthOfThePath) {
   EXPECT_NEAR(1 + std::atof(ruler->blocks[1].words.c_str()), pair.mesh.path_ratio, 5e-4);
 }
 
-// The x of the label with the text `words`, px, or -1 if there is no such label.
+// Returns the x coordinate of the label with the text `words`, px, or −1 if there is no such label.
 double label_x(const std::string& figure, const std::string& words) {
   const std::size_t text = figure.find(">" + words + "<");
   if (text == std::string::npos) return -1.0;

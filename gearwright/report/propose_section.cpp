@@ -22,7 +22,7 @@ bool scored(const LoadedScore& s) {
   return std::isfinite(s.peak_to_peak.rad()) && std::isfinite(s.max_pressure);
 }
 
-// A figure with a numbered dot for each proposal, at its transmission error and its pressure.
+// Returns a figure with a numbered dot for each proposal over transmission error and pressure.
 std::string effects(const ProposeView& v) {
   std::vector<DesignDot> dots;
   std::vector<std::string> numbers;

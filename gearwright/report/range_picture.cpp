@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// One of the three quantities: its curve, and its value for the mounted pair.
+// One of the three quantities, with its curve and its value for the mounted pair.
 struct RangeCurve {
   const char* id;
   FigureAxis axis;
@@ -46,7 +46,7 @@ std::vector<RangeCurve> quantities(const CrossedPair& pair) {
            3}};
 }
 
-// The range of the axis of a panel. It contains the values on the curve and the value of the
+// Returns the range of the axis of a panel. It contains the values on the curve and that of the
 // mounted pair. If the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1
 // counts.
 std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
@@ -103,7 +103,7 @@ constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; difference of angles that count as equal
 
-// The centre distance at the angle α_wn (degrees) minus the least centre distance, µm.
+// Returns the centre distance at the angle α_wn (degrees) minus the least centre distance, µm.
 double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;

@@ -136,8 +136,8 @@ std::string foot(const ReportInput& input) {
                    : " Strength is not considered.");
 }
 
-// The most important figures, at most three: first the gears in mesh, then figures of the load, of
-// the contact or of the pair.
+// Returns the most important figures, at most three. The first shows the gears in mesh. The others
+// show the load, the contact or the pair.
 std::vector<Figure> deciding_figures(const ReportInput& input) {
   constexpr std::size_t kMost = 3;
   std::vector<Figure> figures, of_pair;

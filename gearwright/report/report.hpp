@@ -1,5 +1,5 @@
-// Writes one HTML page about the gears and their pair, for users: words, tables and pictures in one
-// self-contained file.
+// Writes one self-contained HTML page about the gears and their pair, with words, tables and
+// pictures for users.
 #pragma once
 
 #include <array>
@@ -60,7 +60,7 @@ struct ReportInput {
   std::string version;                ///< version of the program
 };
 
-/// The page, UTF-8.
+/// Returns the page in UTF-8.
 ///
 ///   Laws      (1) same input, same bytes
 ///             (2) the page loads nothing; style, script and pictures are in it

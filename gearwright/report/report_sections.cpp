@@ -26,8 +26,8 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.span_or_sampled().arcsec(), 4);
 }
 
-// A sentence about the result under load, for the torque that has the worst result before the
-// corrections.
+// Returns a sentence about the result under load, for the torque that has the worst result before
+// the corrections.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;
   const auto aimed = [&](const LoadedScore& s) {

@@ -23,7 +23,7 @@ std::string with_unit(UnitSystem units, double mm) {
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
-// A factor of the spec with as many digits as the user gave.
+// Returns a factor of the spec with as many digits as the user gave.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
 constexpr int kRackDigits = 6;  // digits of the data of arcs, in modules or degrees
@@ -115,7 +115,7 @@ std::vector<TextGroup> gear_groups(UnitSystem units, const std::vector<const Gea
   return text_groups(gear_quantities().table(), records, kPage, units);
 }
 
-// A sentence for a pair without interference. It states what was checked.
+// Returns a sentence for a pair without interference. It states what was checked.
 std::string no_collision_text(const InvolutePair& p) {
   if (p.overlap && p.crossed_inside()) {
     return "<p>There is no interference of tips. The tips keep clear of roots, fillets and flanks. "
@@ -162,7 +162,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, Unit
   return rows;
 }
 
-// The rows of `named`, without the interferences whose words already occur in `listed`.
+// Returns the rows of `named`, without the interferences whose words already occur in `listed`.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed, UnitSystem units) {
   std::vector<CollisionRow> rows;

@@ -34,7 +34,7 @@ std::string printed(double value, int decimals) {
   return text;
 }
 
-// The values of the first table row whose heading begins with these words.
+// Returns the values of the first table row whose heading begins with these words.
 std::vector<std::string> row(const std::string& page, const std::string& words) {
   const std::size_t at = page.find("<tr><th scope=\"row\">" + words + "</th>");
   if (at == page.npos) return {"no such row"};
@@ -119,7 +119,7 @@ Values ids_at_the_head(const std::string& page) {
 TEST(Report, FiguresThatDecideAreAtTheHead) {
   const auto expect_head = [](const ReportInput& input, const Values& ids) {
     const std::string page = report_html(input);
-    expect_sound_page(page);  // no id twice: the sections omit these figures
+    expect_sound_page(page);  // no id occurs twice, because the sections omit these figures
     EXPECT_EQ(ids_at_the_head(page), ids);
   };
   const ParallelPair helical = helical_pair();

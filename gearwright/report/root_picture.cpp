@@ -43,9 +43,9 @@ bool shows_limit(const Gear& gear) {
          kPi / gear.spec.teeth;
 }
 
-// Points on the part of the tooth that the picture must show, mm. This part is the whole tooth if
-// the tip has a fillet, or if a gear with circular fillets has at most 4 teeth. Otherwise, it is
-// the root on the right, up to slightly above the start of the flank.
+// Returns points on the part of the tooth that the picture must show, mm. This part is the whole
+// tooth if the tip has a fillet, or if a gear with circular fillets has at most 4 teeth. Otherwise,
+// it is the root on the right, up to slightly above the start of the flank.
 std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
   const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
   const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));
@@ -91,8 +91,7 @@ void add_lost_flank(Figure& f, const Gear& gear) {
   f.line(std::move(left), "before");
 }
 
-// Draws the circle of a fillet with its centre, and the radius to the point at which it touches the
-// flank.
+// Draws the circle of a fillet with its centre, and the radius to the point of tangency.
 void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2& touch,
                 const char* symbol) {
   constexpr double kReadable = 0.085;  // of the width of the plot; a shorter radius has no label

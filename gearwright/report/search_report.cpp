@@ -42,8 +42,9 @@ std::string kind_of(const SearchProblem& problem, UnitSystem units) {
   return kind;
 }
 
-// The order of the designs in words. For one objective, "by contact ratio". For several objectives,
-// "by size; the designs on the Pareto front over size and contact ratio come first".
+// Returns the order of the designs in words. For one objective, this is "by contact ratio". For
+// several objectives, it is "by size; the designs on the Pareto front over size and contact ratio
+// come first".
 std::string order_in_words(const SearchProblem& problem) {
   const auto& objectives = problem.objectives;
   std::string text = fmt::format("by {}", words_of(objectives[0]).name);
@@ -155,7 +156,7 @@ std::string chart_section(const SearchReport& report) {
          "</section>\n";
 }
 
-// The tolerances of the drawn designs. Empty if they have none.
+// Returns the tolerances of the drawn designs. The result is empty if they have none.
 std::string toleranced(const SearchAllowances& allowances) {
   const bool teeth = !allowances.series.empty() ||
                      (allowances.backlash && (*allowances.backlash)[0] < (*allowances.backlash)[1]);
@@ -165,8 +166,7 @@ std::string toleranced(const SearchAllowances& allowances) {
   return distance ? "the centre distance" : "";
 }
 
-// Sentences about the load, the strength and the tolerances that the numbers of the designs
-// include.
+// Returns sentences about the load, the strength and the tolerances in the numbers of the designs.
 std::string included(const SearchProblem& problem) {
   const std::string with = toleranced(problem.allowances);
   if (with.empty() && !problem.rating)

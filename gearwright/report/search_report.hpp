@@ -1,5 +1,5 @@
-// Writes one HTML page about a design search, for users: the number of trials, the best designs in
-// a sortable table, and pictures of their objectives and of the regions of their profile shifts.
+// Writes one HTML page about a design search, for users. It contains the number of trials, the best
+// designs in a sortable table, and pictures of their objectives and shift regions.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct SearchReport {
 /// Number of the best designs that have a picture.
 inline constexpr std::size_t kRegionPictures = 20;
 
-/// The page, UTF-8.
+/// Returns the page in UTF-8.
 ///
 ///   Laws      (1) same input, same bytes
 ///             (2) the page loads nothing
@@ -39,8 +39,8 @@ inline constexpr std::size_t kRegionPictures = 20;
 ///           values are “–”
 std::string search_report(const SearchReport& report);
 
-// Writes one HTML page about designs that are ranked by a percentile of their scatter: a sortable
-// table, and a figure of the percentiles with their confidence intervals.
+// Writes one HTML page about designs that are ranked by a percentile of their scatter. It contains
+// a sortable table, and a figure of the percentiles with their confidence intervals.
 
 struct StudyReport {
   std::string title, sentence;
@@ -56,7 +56,7 @@ struct StudyReport {
 /// Greatest numbers of rows in the table and of entries in the figure.
 inline constexpr std::size_t kStudyRows = 500, kStudyDots = 80;
 
-/// The page, UTF-8. All texts are plain and may contain any character.
+/// Returns the page in UTF-8. All texts are plain and may contain any character.
 std::string study_report(const StudyReport& report);
 
 }  // namespace gearwright

@@ -81,7 +81,7 @@ TableCell cell_of(const Column& column, const ValueRecord& record, UnitSystem un
   return {text_of(*column.info, v, kNoValue, units), v.number()};
 }
 
-// The columns of the table. A column without a value for any design is omitted.
+// Returns the columns of the table. A column without a value for any design is omitted.
 std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
   std::vector<Column> columns;
   for (const Entry& entry : kEntries) {

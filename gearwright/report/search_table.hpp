@@ -28,27 +28,27 @@ struct TableRow {
   std::vector<TableCell> cells;
 };
 
-/// A table with a column of ranks before the given columns. `rows` are in the order of their ranks.
+/// Writes a table with a column of ranks before the given columns. `rows` are in the order of rank.
 std::string sortable_table(const std::vector<TableColumn>& columns,
                            const std::vector<TableRow>& rows);
-/// The headings of the columns with their meanings, in a folded section.
+/// Writes the headings of the columns with their meanings, in a folded section.
 std::string column_key(const std::vector<TableColumn>& columns);
 
-/// A table of the first `rows` designs. Its rows have the ids "design-1", "design-2" and so on.
-/// Columns that have no meaning for this search are omitted, such as the helix angle of spur gears
-/// or the front of a single objective.
+/// Writes a table of the first `rows` designs. Its rows have the ids "design-1", "design-2" and so
+/// on. Columns that have no meaning for this search are omitted, such as the helix angle of spur
+/// gears or the front of a single objective.
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer, std::size_t rows,
                          UnitSystem units);
 
-/// The headings of the columns of design_table() with their meanings, in a folded section.
+/// Writes the headings of the columns of design_table() with their meanings, in a folded section.
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
                              std::size_t rows, UnitSystem units);
 
-/// The script report/page/sort_script.js, which turns the column headings into buttons that sort
-/// the table. Without the script the table is static.
+/// Returns the script report/page/sort_script.js, which turns the column headings into buttons that
+/// sort the table. Without the script, the table is static.
 std::string_view sort_script();
 
-/// The reason for rejecting a trial, such as "centre distance out of reach".
+/// Returns the reason for rejecting a trial, such as "centre distance out of reach".
 std::string_view words_of(Limit limit);
 
 /// Words for an objective, to be used on axes and in sentences.
@@ -59,12 +59,13 @@ struct ObjectiveWords {
 };
 ObjectiveWords words_of(Objective objective);
 
-/// The value of the objective for any design, ranked or not. None for the specific sliding |ζ|
-/// if a flank reaches its base tangent point.
+/// Returns the value of the objective for any design, ranked or not. Returns none for the specific
+/// sliding |ζ| if a flank reaches its base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 
-/// Module, tooth numbers and helix angle: "2.5 · 28:54", or for a helical pair "2.5 · 28:54 · 8°".
+/// Returns module and tooth numbers, for example "2.5 · 28:54". For a helical pair, returns "2.5 ·
+/// 28:54 · 8°" with the helix angle.
 std::string design_name(const Trial& trial);
 
 }  // namespace gearwright

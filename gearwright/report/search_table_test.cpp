@@ -20,7 +20,7 @@ struct Cell {
   std::string key, text;
 };
 
-// The cells of row `n`, including the rank.
+// Returns the cells of row `n`, including the rank.
 std::vector<Cell> cells(const std::string& table, int n) {
   const std::size_t at = table.find("<tr id=\"design-" + std::to_string(n) + "\"");
   if (at == table.npos) return {};

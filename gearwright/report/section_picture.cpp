@@ -55,9 +55,9 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Draws the part of a cylinder's ellipse that is within the plot. The name of the cylinder is
-// at the point at which the ellipse first leaves the plot on its way from the mesh to the side
-// `side` (+1 to the right).
+// Draws the part of a cylinder's ellipse that is within the plot. The ellipse is followed from the
+// mesh to the side `side` (+1 to the right). The name of the cylinder is at the point at which the
+// ellipse first leaves the plot.
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);

@@ -10,7 +10,7 @@
 namespace gearwright {
 namespace {
 
-// The value of (h/half width)² + (x/half height)² relative to the centre; it is 1 on the ellipse.
+// Returns (h/half width)² + (x/half height)² relative to the centre, which is 1 on the ellipse.
 double level(const SectionEllipse& e, const Vec2& p) {
   return std::pow((p.x() - e.center.x()) / e.half_width, 2) +
          std::pow((p.y() - e.center.y()) / e.half_height, 2);

@@ -23,8 +23,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The area of the shifts within the limits of the problem. Tooth numbers for which no shift is
-// within the limits separate the area into pieces.
+// Returns the area of the shifts within the limits of the problem. Tooth numbers for which no shift
+// is within the limits separate the area into pieces.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -98,7 +98,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
-  // The first style is for the limit of undercut. The other styles are for the limits of the tip
+  // The first style is for the limit of undercut. The others are for the limits of the tip
   // thickness.
   constexpr std::array kLimitStyles{"limit-undercut bold", "limit-tip dot", "limit-tip",
                                     "limit-tip dash"};

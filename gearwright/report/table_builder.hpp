@@ -1,4 +1,5 @@
-// Builds an HTML table of quantities: words, symbol, unit, then one value in each column.
+// Builds an HTML table of quantities. A row has words, symbol and unit, then a value in each
+// column.
 #pragma once
 
 #include <optional>
@@ -23,8 +24,7 @@ class TableBuilder {
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
   void row(const TextRow& text, const std::vector<std::string>& values);
-  /// Adds a row with a single value, which spans all columns. If there is a note, it takes the last
-  /// column.
+  /// Adds a row with a single value, which spans all columns. A note takes the last column.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
   void common(const TextRow& text, const std::string& value,
@@ -74,10 +74,10 @@ class TableBuilder {
   std::string text_;
 };
 
-/// A table and its notes, which become paragraphs.
+/// Writes a table and its notes, which become paragraphs.
 std::string table_html(const TextTable& table);
 
-/// The quantities of a subject as a table.
+/// Writes the quantities of a subject as a table.
 template <class S>
 std::string table_html(std::string_view caption, const std::vector<std::string>& columns,
                        UnitSystem units, const Quantities<S>& quantities,

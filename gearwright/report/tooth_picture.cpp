@@ -34,8 +34,8 @@ std::vector<NamedCircle> circles_of(const Gear& gear) {
   return circles;
 }
 
-// The window of the figure, mm. It shows one tooth, a quarter of a pitch on either side, and a part
-// of the body behind the root. The tooth of an internal gear points down.
+// Returns the window of the figure, mm. It shows one tooth, a quarter of a pitch on either side,
+// and a part of the body behind the root. The tooth of an internal gear points down.
 Bounds window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
@@ -50,8 +50,8 @@ Bounds window(const Gear& gear) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// The number of decimals of a diameter. It is limited so that the text fits next to the plot on a
-// narrow screen. The table shows all digits.
+// Returns the number of decimals of a diameter. It is limited so that the text fits next to the
+// plot on a narrow screen. The table shows all digits.
 int decimals_of(double d) {
   const int before = d < 1000.0 ? 3 : static_cast<int>(std::log10(d)) + 1;
   return std::max(0, std::min(kLengthDigits, 7 - before));
@@ -97,8 +97,8 @@ std::vector<Vec2> tooth_points(const Gear& gear) {
   return points;
 }
 
-// One window for all teeth, mm. It extends from the lowest root to the highest tip and is as wide
-// as the widest tooth.
+// Returns one window for all teeth, mm. It extends from the lowest root to the highest tip and is
+// as wide as the widest tooth.
 Bounds window(const std::vector<ShiftedTooth>& teeth) {
   Bounds box;
   const auto contain = [&](const Gear& gear) {
@@ -120,7 +120,7 @@ Bounds window(const std::vector<ShiftedTooth>& teeth) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// The outline of one tooth over one pitch, closed by straight lines to the axis of the gear.
+// Returns the outline of one tooth over one pitch, closed by lines to the axis of the gear.
 std::vector<Vec2> slice_of(const Gear& gear) {
   const std::vector<Vec2> side = tooth_points(gear);
   std::vector<Vec2> slice{Vec2::Zero()};

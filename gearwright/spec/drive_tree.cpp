@@ -1,6 +1,6 @@
-// Reads and replaces the data of a drive that are in its spec but not in its graph: the materials
-// of the gears, the speed for [rating], and the table [drive] that replaces [planetary] or
-// [[stage]].
+// Reads and replaces the data of a drive that are in its spec but not in its graph. They are the
+// materials of the gears, the speed for [rating], and the table [drive] that replaces [planetary]
+// or [[stage]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,7 +95,7 @@ void visit_materials(const Json& tree, const MaterialVisit& visit) {
     }
 }
 
-// The table that contains the load of the drive, or null if there is no such table.
+// Returns the table that contains the load of the drive, or null if there is no such table.
 const Json* input_table(const Json& tree) {
   const auto table = [](const Json& owner, const char* key) -> const Json* {
     const auto it = owner.find(key);
@@ -115,8 +115,8 @@ std::string_view word(Spacing spacing) {
   return planetary_keys().find("spacing")->words[static_cast<std::size_t>(spacing)];
 }
 
-// The angle in degrees, rounded so that the conversion from radians leaves no rounding error. For
-// example, the result is 12 and not 12.000000000000002.
+// Returns the angle in degrees, rounded so that the conversion from radians leaves no rounding
+// error. For example, the result is 12 and not 12.000000000000002.
 double tidy(Angle angle) {
   const double deg = angle.deg();
   const double rounded = std::round(deg * 1e9) / 1e9;
@@ -164,8 +164,8 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   return j;
 }
 
-// The table with all keys of the gear, from the list `gears` of its stage. Null if no such list
-// contains the gear.
+// Returns the table with all keys of the gear, from the list `gears` of its stage. Returns null if
+// no such list contains the gear.
 Json whole_gear(const Json& tree, const std::string& name) {
   if (!tree.contains("stage")) return nullptr;
   for (std::size_t k = 0; k < tree["stage"].size(); ++k) {

@@ -214,7 +214,7 @@ class Editor {
 };
 
 // The path `parts` may lead into a material that is only a name, for example material = "16MnCr5".
-// The result is then the path of the material and a table that contains this name.
+// In this case, returns the path of the material and a table that contains this name.
 std::optional<std::pair<std::string, Json>> named_material_of(
     const Json& tree, const std::vector<std::string>& parts) {
   const Json* node = &tree;

@@ -86,7 +86,7 @@ void hand_on(const Json& from, Json& to, const std::string& key) {
   }
 }
 
-// The accuracy grade of a gear, which is either in the gear's table or in its tolerances.
+// Returns the accuracy grade of a gear, which is either in the gear's table or in its tolerances.
 const Json* quality_of(const Json& gear) {
   if (const auto own = gear.find("quality"); own != gear.end()) return &*own;
   const auto tolerance = gear.find("tolerance");

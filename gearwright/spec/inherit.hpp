@@ -1,7 +1,7 @@
-// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face
-// width, gap and stagger of a double-helical gear, material, quality and helix angle. Gear 2 gets
-// the opposite hand of helix, or the same hand if it is an internal gear. A material that is only a
-// name becomes a table.
+// Copies values from gear 1 to gear 2 if the table of gear 2 omits them. These values are the
+// module, the pressure angle, the rack, the face width, the gap and stagger of a double-helical
+// gear, the material, the quality and the helix angle. Gear 2 gets the opposite hand of helix, or
+// the same hand if it is an internal gear. A material that is only a name becomes a table.
 //
 // Internal to spec/ and the programs.
 #pragma once
@@ -17,8 +17,8 @@ namespace gearwright {
 
 struct Inherited {
   Json tree;                 ///< the spec, in which gear 2 has all its keys
-  bool helix_angle = false;  ///< true if gear 2 takes the helix angle of gear 1; such an angle
-                             ///< counts as not given
+  bool helix_angle = false;  ///< true if the helix angle of gear 2 is a copy; such an angle counts
+                             ///< as not given
   std::vector<std::string> noted{};  ///< copied keys that are not dimensions: material, quality
 };
 
@@ -29,8 +29,8 @@ inline constexpr std::string_view kNotOfRack =
     "does not apply to a rack, which has the basic rack, the module and the helix angle of its "
     "pinion";
 
-/// The spec in which every material that is only a name, for example material = "16MnCr5", is
-/// replaced by a table [material] with this name.
+/// Returns the spec in which every material that is only a name, for example material = "16MnCr5",
+/// is replaced by a table [material] with this name.
 Json with_named_materials(const Json& tree);
 
 /// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by

@@ -44,7 +44,7 @@ bool bare(const std::string& key) {
 }
 
 // JSON's escapes are also valid in TOML, except for the surrogate pairs of characters beyond
-// U+FFFF. Therefore only control characters are escaped, and all other characters are written
+// U+FFFF. Only control characters are therefore escaped, and all other characters are written
 // directly. DEL is also escaped, because TOML does not allow it.
 std::string quoted(const std::string& text) {
   std::string out;
@@ -62,8 +62,7 @@ std::string toml_value(const Json& v) {
     const double x = v.get<double>();
     GW_EXPECTS(std::isfinite(x));
     const std::string text = fmt::format("{}", x);
-    // A point is added to a float without a point or exponent, because TOML would read it as an
-    // integer.
+    // A float without a point or exponent gets a point, because TOML would read it as an integer.
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
   }
   if (v.is_string()) return quoted(v.get<std::string>());

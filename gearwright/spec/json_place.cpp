@@ -1,4 +1,4 @@
-// The position of a key in a JSON text.
+// Finds the position of a key in a JSON text.
 #include <algorithm>
 
 #include "gearwright/spec/parse_spec.hpp"

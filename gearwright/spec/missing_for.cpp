@@ -106,8 +106,7 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
       missing.push_back(spelled(material.error()));
     }
   }
-  // The inputs of VDI 2736 depend on the materials, so they are listed only if the materials are
-  // known.
+  // Inputs of VDI 2736 depend on the materials, so they are listed only if the materials are known.
   if (known || input.edition != RatingEdition::vdi_2736)
     for (const Error& error : missing_inputs(input, halves)) missing.push_back(spelled(error));
   return missing;

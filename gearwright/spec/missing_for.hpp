@@ -1,5 +1,5 @@
-// The inputs that a spec lacks for a computation. They are found before the computation and
-// reported together.
+// Finds the inputs that a spec lacks for a computation. The missing inputs are found before the
+// computation and reported together.
 #pragma once
 
 #include <array>
@@ -25,24 +25,24 @@ enum class SpecUse {
   run,         ///< every computation for which the spec has a table
 };
 
-/// All inputs that a spec lacks. Each error names the key in the file and gives an example. The
-/// inputs include a second gear, a torque, a tolerance for scatter and, for a rating, its load, the
-/// materials of the gears and the inputs of its factors. A wrong material is also reported. The
-/// list is empty for a search, an unknown gear, a drive and a rack.
+/// Returns all inputs that a spec lacks. Each error names the key in the file and gives an example.
+/// The inputs include a second gear, a torque and a tolerance for scatter. For a rating, they
+/// include its load, the materials of the gears and the inputs of its factors. A wrong material is
+/// also reported. The list is empty for a search, an unknown gear, a drive and a rack.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
-/// The missing inputs as one error, or nothing if no input is missing.
+/// Returns the missing inputs as one error, or nothing if no input is missing.
 std::optional<Error> missing_error(SpecUse use, const JobSpec& spec);
 
-/// The missing inputs of a rating alone. `tables` are the tables of the materials of both gears,
-/// and `halves` is 2 for double-helical gears.
+/// Returns the missing inputs of a rating alone. `tables` are the tables of the materials of both
+/// gears, and `halves` is 2 for double-helical gears.
 std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables, int halves = 1);
 
-/// The table that contains the material of a gear: the gear's own table, the table of gear 1, or
-/// [rating.material]. If none of these tables exists, it is the table in which the user should give
-/// the material.
+/// Returns the table that contains the material of a gear. It is the gear's own table, the table of
+/// gear 1, or [rating.material]. If none of these tables exists, it is the table in which the user
+/// should give the material.
 std::string material_table(const JobSpec& spec, int which);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The tree of tables into which the text of a spec is parsed.
+// Parses the text of a spec into a tree of tables.
 //
 // Internal to spec/, job/ and the programs, because public headers do not contain trees.
 #pragma once
@@ -19,13 +19,13 @@ struct SpecTree {
   Json tables;
 };
 
-/// The tree of a spec, with members in the order of the text. The nesting is limited. A key must
-/// not occur twice in a table, in TOML or in JSON.
+/// Returns the tree of a spec, with members in the order of the text. The nesting is limited. A key
+/// must not occur twice in a table, in TOML or in JSON.
 ///
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
 
-/// The position of a key in a valid JSON text. If the key does not exist, the result is the
+/// Returns the position of a key in a valid JSON text. If the key does not exist, the result is the
 /// position of the last table or element on the path that does exist. There is no result if the
 /// first part of the path does not exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
@@ -33,7 +33,7 @@ std::optional<TextPlace> json_place(std::string_view text, std::string_view path
 /// Checks a tree before its keys are read. The tree must be a table with bounded nesting.
 std::optional<Error> check_tree(const Json& tree);
 
-/// The spec of a tree. It is equal to the spec that read_spec reads from the text of the tree.
+/// Returns the spec of a tree, which equals the spec that read_spec reads from the tree's text.
 ///
 /// Errors    the errors of read_spec, except errors of syntax, and the errors of check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},
@@ -44,17 +44,17 @@ Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& fo
 
 struct GivenKeys;  // catalogue/spelling.hpp
 
-/// The spec in mm with the keys of the catalogue, without the key `units`. `given` receives the
-/// units and, for inch, the lengths as written.
+/// Returns the spec in mm with the keys of the catalogue, without the key `units`. `given` receives
+/// the units and, for inch, the lengths as written.
 ///
 /// Throws  SpecError if `units` is not a known word, or if the key of a length has the wrong unit
 Json in_catalogue_units(const Json& spec, GivenKeys& given);
 
-/// A result or a part of a spec, with keys, numbers and sentences converted to this unit system. A
-/// spec inside a result gets the key `units`. A second call changes nothing.
+/// Returns a result or a part of a spec, with keys, numbers and sentences converted to this unit
+/// system. A spec inside a result gets the key `units`. A second call changes nothing.
 Json in_units(UnitSystem units, const Json& record);
 
-/// A whole spec in this unit system, with the key `units` if it is not "mm".
+/// Returns a whole spec in this unit system, with the key `units` if it is not "mm".
 Json spec_in(UnitSystem units, const Json& spec);
 
 }  // namespace gearwright

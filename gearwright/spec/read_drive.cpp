@@ -47,8 +47,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
 
 namespace {
 
-// The table of the planetary set of a stage. Values that it omits are copied from the table of the
-// stage.
+// Returns the table of the planetary set of a stage. Values that it omits are copied from the table
+// of the stage.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
   for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",

@@ -20,12 +20,12 @@ namespace gearwright {
 /// True if the spec has [planetary], [[stage]] or [drive].
 bool is_drive(const Json& tree);
 
-/// The graph of the drive and, for a train, its stages. [planetary] and [[stage]], the short forms,
-/// are expanded to a graph.
+/// Returns the graph of the drive and, for a train, its stages. [planetary] and [[stage]], the
+/// short forms, are expanded to a graph.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// The materials of the gears that have their own material, by the names of the gears. The map is
-/// empty if the tree has no table of a drive.
+/// Returns the materials of the gears that have their own material, by the names of the gears. The
+/// map is empty if the tree has no table of a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
 /// Sets an absent speed of [rating] to the speed of the first input, because without a speed
@@ -42,7 +42,7 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree);
 /// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 
-/// The spec with [planetary] or [[stage]] replaced by the equivalent [drive].
+/// Returns the spec with [planetary] or [[stage]] replaced by the equivalent [drive].
 ///
 /// Domain    read_drive accepts the spec (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);
@@ -63,7 +63,7 @@ void need_whole_face(const GearInput& gear, const std::string& path);
 /// length. If the transverse pitch is not known, the argument for the pitch is none.
 void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar);
 
-/// The graph of the table [drive]. File names of its gears are relative to `folder`.
+/// Returns the graph of the table [drive]. File names of its gears are relative to `folder`.
 DriveGraph read_graph(const Json& node, const std::filesystem::path& folder);
 
 }  // namespace gearwright

@@ -180,7 +180,7 @@ void need_whole_face(const GearInput& gear, const std::string& path) {
     throw SpecError{absent_input(path + ".face_width_mm", kWholeFace)};
 }
 
-// The name of the first input, which can be a list of names.
+// Returns the name of the first input. The key `input` can be a list of names.
 Json first_input(const Json& node) {
   const Json input = node.value("input", Json());
   return input.is_array() && !input.empty() ? input.front() : input;

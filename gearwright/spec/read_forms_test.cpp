@@ -17,7 +17,7 @@ const std::string kStage = "[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\n"
 const std::string kScatter =
     "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[scatter.errors]\n";
 
-// The message of the rejected spec, or "" if the spec is read.
+// Returns the message if the spec is rejected, and an empty text if it is read.
 std::string refused_form(const std::string& text) {
   const auto spec = read_spec(text, SpecFormat::toml);
   return spec ? "" : spec.error().message();

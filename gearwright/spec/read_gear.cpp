@@ -143,8 +143,8 @@ void refuse_involute_keys(TableReader& gear) {
               why + "; the positions of the arc centres determine the depth of the cutter");
 }
 
-// The table that the word `kind` selects among the possible tables of a key. Without `kind` it is
-// the first table.
+// Returns the table that the word `kind` selects among the possible tables of a key. Without `kind`
+// it is the first table.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
@@ -158,8 +158,8 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
                                     : "must be a text in quotes");
 }
 
-// The table of a cutter. The module and the angles that it omits are taken from the gear or, if the
-// gear does not give them either, from the mating gear.
+// Returns the table of a cutter. The module and the angles that it omits are taken from the gear
+// or, if the gear does not give them either, from the mating gear.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
@@ -186,7 +186,8 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
 // clearance of the mating gear.
 constexpr double kCutterAddendum = 1.25;
 
-// The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T 12759.
+// Returns the rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of
+// GB/T 12759.
 Rack read_rack(TableReader& gear, std::optional<double> module) {
   const Json* node = gear.any("rack");
   if (node && *node == "GBT12759") {

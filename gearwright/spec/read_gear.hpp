@@ -29,8 +29,8 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
 /// Reads a rack, which must have straight flanks.
 StraightRack read_straight_rack(TableReader& gear);
 
-/// The normal pressure angle. It is the angle of the AGMA rack if the gear names such a rack, and
-/// otherwise `given`.
+/// Returns the normal pressure angle. If the gear names an AGMA rack, it is the angle of this rack.
+/// Otherwise, it is `given`.
 std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given);
 
 // Reads [gearN.measured] and the other data that are known about the gear.
@@ -38,19 +38,20 @@ std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given);
 /// True if the table of a gear gives a module, a base cylinder or a cutter.
 bool has_module(const Json& gear);
 
-/// True if the table of a gear has readings but no module, which `identify` has to find.
+/// True if the table of a gear has readings but no module, which `identify` must compute.
 bool is_unknown_gear(const Json& gear);
 
-/// The readings of gear 1 or 2, or null if its table is absent or has no readings. If the gear is
-/// unknown and its readings or [pair] contain the centre distance, the centre distance and the
-/// number of teeth of the mating gear are added.
+/// Returns the readings of gear 1 or 2, or null if its table is absent or has no readings. If the
+/// gear is unknown and its readings or [pair] contain the centre distance, the centre distance and
+/// the number of teeth of the mating gear are added.
 /// Throws    SpecError
 std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
 
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 points
 
-/// The modifications of the right and the left flank. Without [gearN.modifications], they remove
-/// nothing. The conditions on the finished gear are not checked here but in make_removal_field().
+/// Returns the modifications of the right and the left flank. Without [gearN.modifications], they
+/// remove nothing. The conditions on the finished gear are not checked here but in
+/// make_removal_field().
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,

@@ -24,7 +24,7 @@ const std::array<FlankModifications, 2>& flanks(const Result<JobSpec>& spec) {
   return spec->gears[0]->modifications;
 }
 
-// The rejected key, with which the message must begin.
+// Returns the rejected key. The message must begin with this key.
 std::string refusal(const std::string& table, const std::string& word = "",
                     const fs::path& folder = {}) {
   const auto spec = spec_with(table, folder);

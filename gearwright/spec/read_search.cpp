@@ -81,7 +81,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   }
 }
 
-// The number of combinations of module, face width and overlap ratio.
+// Returns the number of combinations of module, face width and overlap ratio.
 double count_of_overlaps(const SearchProblem& p, std::size_t ratios) {
   double count = 0.0;
   for (const double module : p.modules) {
@@ -235,7 +235,7 @@ Blank read_blank(const Json* node, const std::string& path) {
   return b;
 }
 
-// The depth h_FfP* of the straight edge below the datum line.
+// Returns the depth h_FfP* of the straight edge below the datum line.
 double straight_depth(const StraightRack& rack, double alpha_n) {
   const double radius =
       rack.named ? std::min(rack.root_fillet_radius, full_radius(rack, Angle::radians(alpha_n)))

@@ -1,7 +1,7 @@
 // Reads the table [search] of a spec, for pairs or for drives. Some inputs of a search are in other
-// tables. The pressure angle, the rack, the helix and the face width, which a search does not
-// choose, are in [gear1] and [gear2], and the load is in [rating]. These inputs and the table
-// [scatter] are also read here.
+// tables. A search does not choose the pressure angle, the rack, the helix and the face width, so
+// these are in [gear1] and [gear2]. The load is in [rating]. These inputs and the table [scatter]
+// are also read here.
 //
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
@@ -19,7 +19,7 @@ namespace gearwright {
 /// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
 
-/// The default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the
+/// Returns the default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the
 /// widths are round numbers in the units of the spec.
 constexpr double default_face_step(UnitSystem units) {
   return units == UnitSystem::mm ? 1.0 : 0.05 * kMmPerInch;
@@ -71,7 +71,7 @@ bool is_drive_search(const Json& search);
 
 DriveSearchProblem read_drive_search(const Json& search);
 
-/// The keys of [search] that are copied to [planetary] of every set, or to every stage of a train.
+/// Returns the keys of [search] that are copied to [planetary], or to every stage of a train.
 Json shared_keys(const Json& search, bool train);
 
 // Reads [scatter], which contains groups of inputs and toleranced numbers. Each toleranced number

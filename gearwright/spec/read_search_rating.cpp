@@ -14,8 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// The materials in the tables of the gears, even if these tables contain no teeth. If gear 2
-// has no material, it takes the material of gear 1.
+// Returns the materials in the tables of the gears, even if these tables contain no teeth. If gear
+// 2 has no material, it takes the material of gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -31,8 +31,8 @@ std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable&
   return materials;
 }
 
-// The key of [search] that needs a rating, or "" if there is none. The table [search] may be
-// incomplete.
+// Returns the key of [search] that needs a rating, or "" if there is none. The table [search] may
+// be incomplete.
 std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;
@@ -56,7 +56,7 @@ constexpr const char* kNeedsRating =
 // reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
-// The first of the keys that is in the table.
+// Returns the first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (t.given(key)) return key;

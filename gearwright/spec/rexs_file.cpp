@@ -43,7 +43,8 @@ bool too_deep(std::string_view xml) {
 
 Error no_rexs(std::string rule) { return {"", "", std::move(rule)}; }
 
-// The same tree for JSON as for XML. The elements of a list have no tag.
+// Converts JSON to a tree like that of XML, so that both formats are read in the same way. The
+// elements of a list have no tag.
 Xml tree_of(const Json& json) {
   Xml tree;
   if (json.is_string())
@@ -60,7 +61,7 @@ std::string attribute_of(const Xml& element, const char* name) {
   return element.get(std::string("<xmlattr>.") + name, element.get(name, std::string()));
 }
 
-// The elements with a tag in XML, or in the list of this name in JSON.
+// Returns the elements with the tag `tag` in XML, or the elements of the list `list` in JSON.
 std::vector<const Xml*> elements_of(const Xml& owner, const char* list, const char* tag) {
   std::vector<const Xml*> found;
   for (const auto& [name, element] : owner.get_child(list, owner))
@@ -68,8 +69,8 @@ std::vector<const Xml*> elements_of(const Xml& owner, const char* list, const ch
   return found;
 }
 
-// The value of an attribute. In JSON, it is a member whose name is the type of the value. The
-// values of an array are in separate elements.
+// Returns the value of an attribute. In JSON, it is a member whose name is the type of the value.
+// The values of an array are in separate elements.
 std::string value_of(const Xml& attribute) {
   std::string value = attribute.data();
   for (const auto& [type, own] : attribute)
@@ -115,14 +116,14 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// The extension of a file in lower case, such as ".rexsz".
+// Returns the extension of a file in lower case, such as ".rexsz".
 std::string lower_ending(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return ending;
 }
 
-// The only REXS file in an archive. Other files in the archive, such as load spectra, are not read.
+// Returns the only REXS file in an archive. Other files, such as load spectra, are not read.
 Result<std::string> file_in_archive(std::string_view archive) {
   auto names = zipped_names(archive);
   if (!names) return names.error();

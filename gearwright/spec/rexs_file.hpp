@@ -1,8 +1,8 @@
-// A REXS file, the exchange format of gear units: components with attributes, and relations between
-// components. Internal to spec/ and job/.
+// Reads and writes REXS files, the exchange format of gear units. A file contains components with
+// attributes, and relations between components. Internal to spec/ and job/.
 //
-// Format: the public schemas of REXS 1.0 to 2.0 (rexs.info), as XML, as JSON, or as a ZIP archive with
-// a file in one of these formats. XML is read by Boost.PropertyTree.
+// The format follows the public schemas of REXS 1.0 to 2.0 (rexs.info). A file is XML, JSON, or a
+// ZIP archive with a file in one of these formats. XML is read by Boost.PropertyTree.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,7 @@ struct RexsComponent {
   std::map<std::string, std::string, std::less<>> attributes{};
   std::map<std::string, std::string, std::less<>> units{};
 
-  /// The value of an attribute, or nothing if it is absent or not a number.
+  /// Returns the value of an attribute, or nothing if it is absent or not a number.
   std::optional<double> number(std::string_view attribute) const;
   std::optional<std::string> text(std::string_view attribute) const;
   void set(const std::string& attribute, double value, const std::string& unit);
@@ -38,7 +38,7 @@ struct RexsRelation {
   std::string type;                                         ///< "stage"
   std::vector<std::pair<std::string, std::string>> refs{};  ///< role and id of a component
 
-  /// The id of the component with this role, or an empty text.
+  /// Returns the id of the component with this role, or an empty text.
   std::string_view of(std::string_view role) const;
   bool names(std::string_view id) const;
 };
@@ -49,19 +49,19 @@ struct RexsModel {
   std::vector<RexsComponent> components{};
   std::vector<RexsRelation> relations{};
 
-  /// The component with this id, or null if there is none.
+  /// Returns the component with this id, or null if there is none.
   const RexsComponent* find(std::string_view id) const;
   std::vector<const RexsComponent*> of_type(std::string_view type) const;
-  /// The first component with one of `types` that shares a relation with the component `id`, or
-  /// null if there is none. The type of the relation is one of `relations`.
+  /// Returns the first component with one of `types` that shares a relation with the component
+  /// `id`, or null if there is none. The type of the relation is one of `relations`.
   const RexsComponent* related(std::string_view id,
                                std::initializer_list<std::string_view> relations,
                                std::initializer_list<std::string_view> types) const;
 };
 
-/// The model of a file, without its tables and its lists of several values.
+/// Returns the model of a file, without its tables and its lists of several values.
 ///
-/// Text that begins with a brace is JSON, and any other text is XML. A ZIP archive contains one such
+/// Text that begins with a brace is JSON, and other text is XML. A ZIP archive contains one such
 /// file.
 ///
 /// Errors    text that is neither XML nor JSON, with the place of the error; a root element other
@@ -72,13 +72,14 @@ Result<RexsModel> read_rexs(std::string_view file);
 /// True if the name ends in .rexs (XML), .rexsj (JSON) or .rexsz (a ZIP archive).
 bool is_rexs(const std::filesystem::path& path);
 
-/// The model as the bytes of a file with this name. Reading the file gives the same doubles.
+/// Returns the model as the bytes of a file with this name. Reading the file gives exactly the
+/// doubles of the model.
 ///
 /// Domain    ids that are whole numbers, and attributes that are numbers or flags (contract)
 std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path);
 
-// Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]]
-// tables, and a planetary stage to [planetary]. Internal to spec/ and job/.
+// Converts a REXS model to a spec. One cylindrical stage becomes a pair, a chain of stages becomes
+// [[stage]] tables, and a planetary stage becomes [planetary]. Internal to spec/ and job/.
 
 struct RexsSpec {
   Json tables;
@@ -90,8 +91,8 @@ struct RexsSpec {
 ///           without teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
-/// The spec as TOML. Comments at its beginning name the version of the file and the parts that were
-/// not read.
+/// Returns the spec as TOML. Comments at its beginning name the version of the file and the parts
+/// that were not read.
 Result<std::string> spec_text_of_rexs(std::string_view file);
 
 }  // namespace gearwright

@@ -63,7 +63,7 @@ class SetFinder {
     return !is_ring(&gear) && std::any_of(others.begin(), others.end(), is_ring);
   }
 
-  // Two gears with the same text are copies of one planet. Such gears have the same number of
+  // Returns a text that is the same for all copies of one planet. Copies have the same number of
   // teeth, the same neighbours on their shafts, and meshes with the same central gears.
   std::string kind_of(const Component& gear) const {
     std::multiset<std::string> others;
@@ -167,7 +167,7 @@ class SetFinder {
     return std::nullopt;
   }
 
-  // The shafts and the casing that turn together with this shaft, because couplings connect them.
+  // Returns the shafts and the casing that turn with this shaft, because couplings connect them.
   std::set<std::string> coupled(const std::string& shaft) const {
     std::set<std::string> group{shaft};
     for (std::size_t before = 0; before != group.size();) {

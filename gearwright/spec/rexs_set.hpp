@@ -1,5 +1,5 @@
-// The planetary set of a REXS model. It has the gears, each as a member of [planetary], the held
-// bodies, the inputs and the output. Internal to spec/.
+// Finds the planetary set of a REXS model. The set has the gears, each as a member of [planetary],
+// the held bodies, the inputs and the output. Internal to spec/.
 //
 // A held body is connected to the casing by a coupling. A body with a load is an input if the load
 // defines a torque or the shaft defines a speed. Any other body with a load is the output. If no
@@ -17,7 +17,7 @@
 namespace gearwright {
 
 bool is_rexs_gear(const RexsComponent& component);
-/// The name in quotation marks, or the type and the id of a component without a name.
+/// Returns the name of a component in quotation marks or, if it has no name, its type and its id.
 std::string rexs_name(const RexsComponent& component);
 /// z, which is negative for a ring.   Domain  a gear with `number_of_teeth`
 int rexs_teeth(const RexsComponent& gear);

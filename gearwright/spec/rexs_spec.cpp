@@ -85,8 +85,8 @@ class Reader {
     return flank ? flank->number("addendum_modification_coefficient") : std::nullopt;
   }
 
-  // The rack of a tool. The radius of the tip corners is read under its name in version 2.0 and
-  // under its older name.
+  // Returns the rack of a tool. The radius of the tip corners is read under its name in version 2.0
+  // and under its older name.
   static Json rack_of(const Component& tool) {
     Json rack = Json::object();
     const bool hob = tool.type == "rack_shaped_tool";
@@ -140,8 +140,8 @@ class Reader {
     return table;
   }
 
-  // The thickness allowance, computed from the generating profile shift. If a series is given for
-  // a pair, the result is empty. If a series is given for a drive, the result is the mean
+  // Returns the thickness allowance, computed from the generating profile shift. If a series is
+  // given for a pair, the result is empty. If a series is given for a drive, the result is the mean
   // allowance of the series, because a drive has no tolerances.
   std::optional<double> allowance_of(const Component& gear,
                                      const std::optional<std::string>& series,
@@ -213,7 +213,7 @@ class Reader {
     }
   }
 
-  // The load on this shaft that defines a torque, or null.
+  // Returns the load on this shaft that defines a torque, or null.
   const Component* torque_on(const Component& shaft) const {
     for (const Component* load : model_.of_type("external_load"))
       if (load->text("defines_torque") == "true" &&
@@ -225,8 +225,8 @@ class Reader {
     return torque_on(shaft) || shaft.text("defines_speed") == "true";
   }
 
-  // The chain of stages along their common shafts. The chain starts at the shaft with the given
-  // torque or speed. If no torque and no speed is given, it starts at the first stage.
+  // Returns the chain of stages along their common shafts. The chain starts at the shaft with the
+  // given torque or speed. If no torque and no speed is given, it starts at the first stage.
   Result<Json> train() {
     const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
       RexsStage* found = nullptr;
@@ -360,8 +360,7 @@ class Reader {
                                  "flank_geometry",   "rack_shaped_tool",   "cutter_wheel_tool",
                                  "external_load",    "material",           "gear_casing",
                                  "coupling",         "switchable_coupling"};
-      // A shaft only connects gears. If its speed is its only attribute, nothing of the shaft
-      // is lost.
+      // A shaft only connects gears. If its speed is its only attribute, nothing is lost.
       const bool plain = c.type == "shaft" &&
                          std::all_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
                            return a.first == "defines_speed" || a.first == "rotational_speed";

@@ -106,8 +106,8 @@ TEST(Rexs, APlanetaryStageHasItsMembers) {
   EXPECT_EQ(set["planets"], 2);
 }
 
-// A set with one planet: gears 1 sun, 2 planet, 4 ring, on the shafts s1, s2 and s4; carrier sc.
-// The casing is c, and the load of the sun, which turns backwards, is l.
+// A set with one planet. The sun 1, the planet 2 and the ring 4 are on the shafts s1, s2 and s4,
+// and sc is the shaft of the carrier. The casing is c. The sun turns backwards, and its load is l.
 struct SetFile {
   std::string relations = stage("10", "1", "2") + stage("12", "2", "4") + on("s1", "1") +
                           on("s2", "2") + on("s4", "4") + on("s1", "l") +
@@ -150,7 +150,8 @@ TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
   EXPECT_EQ(ring["input"], "sun");
   EXPECT_EQ(ring["speed_rpm"], 100.0);
   EXPECT_FALSE(ring.contains("output"));
-  // A further shaft between the carrier and the casing; the coupling of the ring is open.
+  // There is a further shaft between the carrier and the casing, and the coupling of the ring is
+  // open.
   SetFile far = SetFile().couple("sc", "s9").couple("s9", "c", "true").couple("s4", "c", "false");
   far.components += component("s9", "shaft");
   EXPECT_EQ(read(far.text()).tables["planetary"]["fixed"], "carrier");
@@ -175,8 +176,8 @@ TEST(Rexs, WhatIsNotReadIsNamed) {
     f.relations += relations;
     return rexs_refusal(f.text());
   };
-  // A second sun on the shaft of the first, a stage in front of the set, a sun that meshes with
-  // both gears of a stepped planet.
+  // The files have a second sun on the shaft of the first, a stage in front of the set, and a sun
+  // that meshes with both gears of a stepped planet.
   EXPECT_NE(with(gear("6", 20), stage("20", "6", "2") + on("s1", "6")).find("gear \"g6\""),
             std::string::npos);
   EXPECT_NE(with(gear("6", 20) + gear("7", 40), stage("20", "6", "7") + on("s1", "7"))

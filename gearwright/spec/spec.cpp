@@ -106,8 +106,8 @@ class Lacks {
   std::vector<SpecError> caught_;
 };
 
-// The error of a missing module of gear 1. It names the module that fits the centre distance, or
-// the readings from which the module can be computed.
+// Returns the error of a missing module of gear 1. It names the module that fits the centre
+// distance, or the readings from which the module can be computed.
 Error missing_module(const Json& tree) {
   const auto number = [&](const char* table, const char* key) {
     const Json& of = tree.value(table, Json::object());

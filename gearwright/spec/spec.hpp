@@ -1,4 +1,4 @@
-// The spec file: a gear or a pair as on a drawing, in TOML or JSON.
+// Reads a spec file, which describes a gear or a pair as on a drawing, in TOML or JSON.
 //
 // Lengths are in mm, or in inch if the spec gives units = "inch". Angles are in degrees. The name
 // of a key contains its unit. After reading, all lengths are in mm. Absent keys are also absent in
@@ -57,8 +57,8 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
 
 Result<JobSpec> read_spec(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// The error of a spec in inch for a feature whose results are in mm only; nothing for a spec in
-/// mm.
+/// Returns the error of a spec in inch for a feature whose results are only in mm. For a spec in
+/// mm, returns nothing.
 std::optional<Error> only_in_mm(const JobSpec& spec, std::string_view feature);
 
 /// Reads the text of the file with read_spec_text(), then the spec.

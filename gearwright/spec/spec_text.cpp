@@ -131,8 +131,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// The first line with too many dots outside quotes. The TOML parser recurses for each part of a
-// dotted name, so the number of parts is limited before parsing.
+// Returns the first line with too many dots outside quotes. The TOML parser recurses for each part
+// of a dotted name, so the number of parts is limited before parsing.
 std::optional<int> deep_line(std::string_view text) {
   int line = 1;
   int dots = 0;
@@ -169,8 +169,8 @@ Digits digits_at(std::string_view line, std::size_t before, std::size_t after) {
   return {line.substr(begin, before - begin), line.substr(after, end - after)};
 }
 
-// A hint if the line of the parser error contains a usual slip: "2,5", "1/2", ".5", "2.5 mm",
-// text without quotes, or "[gear 1]". `at_comma` is true if the parser rejected a comma.
+// Returns a hint if the line of the parser error contains a usual slip: "2,5", "1/2", ".5", "2.5
+// mm", text without quotes, or "[gear 1]". `at_comma` is true if the parser rejected a comma.
 std::string slip_hint(std::string_view text, const toml::source_position& at, bool at_comma) {
   for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
   std::string_view line = text.substr(0, text.find_first_of("\r\n"));
@@ -249,7 +249,7 @@ std::optional<TextPlace> toml_place(const toml::table& root, std::string_view pa
   return place;
 }
 
-// The nesting depth of tables and lists. The count stops at `most`.
+// Returns the nesting depth of tables and lists. The count stops at `most`.
 int depth_of(const Json& tree, int most) {
   int deepest = 0;
   if (!tree.is_structured() || most == 0) return 0;
@@ -324,7 +324,7 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
   }
-  // Editors on Windows offer UTF-16 as "Unicode"; such a file begins with the byte order mark
+  // Editors on Windows offer UTF-16 as "Unicode". Such a file begins with the byte order mark
   // U+FEFF.
   if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF"))
     return syntax_error(name + " is UTF-16 text; save it as UTF-8");

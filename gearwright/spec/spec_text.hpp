@@ -1,4 +1,4 @@
-// The text of a spec before it is parsed, with its origin, and the positions of keys in this text.
+// Reads the text of a spec with its origin before parsing, and finds the positions of its keys.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,8 @@ struct SpecText {
   std::filesystem::path folder{};  ///< base of relative file names; if empty, the working directory
 };
 
-/// Reads a file; "-" is standard input. The format is JSON if the name ends in .json. Text from a
-/// pipe or a device is JSON if it begins with a brace, which cannot begin a TOML text. A
+/// Reads a file. The path "-" is standard input. The format is JSON if the name ends in .json. Text
+/// from a pipe or a device is JSON if it begins with a brace, which cannot begin a TOML text. A
 /// REXS file (spec/rexs_file.hpp) is converted to TOML.
 ///
 /// Throws    IoError if the file cannot be read
@@ -35,13 +35,12 @@ struct TextPlace {
   int line = 1, column = 1;
 };
 
-/// The position of a key, for example "gear1.rack.arcs[2].radius", or of its table if the key is
-/// absent. There is no position if the table is absent too. An empty key gives the position of a
-/// syntax error of TOML. For any other key, read_spec must be able to parse the text.
+/// Returns the position of a key, for example "gear1.rack.arcs[2].radius", or of its table if the
+/// key is absent. There is no position if the table is absent too. An empty key gives the position
+/// of a syntax error of TOML. For any other key, read_spec must be able to parse the text.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
-// Sets one key of a spec's TOML text to another value and leaves comments, order and blanks
-// unchanged.
+// Sets one key of a spec's TOML text. Comments, order and blanks remain unchanged.
 
 /// `path` has the form that errors use, for example "gear1.rack.dedendum". `value` is JSON text.
 /// Null removes the key. If the key is alone on a line, the whole line is removed.

@@ -31,8 +31,7 @@ std::string shown(const Json& value) {
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // also nan and inf
   if (value.is_object()) return "(a table)";
   if (value.is_array()) {
-    // A short list is shown as it was written. JSON has no words for nan and inf, so dump() is not
-    // used.
+    // A short list is shown as written. JSON has no words for nan and inf, so dump() is not used.
     std::string list;
     for (const Json& item : value) {
       list += list.empty() ? "[" : ", ";

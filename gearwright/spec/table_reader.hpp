@@ -47,17 +47,16 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// The list of finite numbers of a key, or the numbers of a series that is given by its name. The
-  /// length of the list, the range of the numbers and their order are checked.
+  /// Returns the list of finite numbers of a key, or the numbers of a series that is given by its
+  /// name. The length of the list, the range of the numbers and their order are checked.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
-  /// The tables of a list of tables, with their paths; empty if the key is absent.
+  /// Returns the tables of a list of tables with their paths, or none if the key is absent.
   std::vector<std::pair<std::string, const Json*>> tables(const std::string& key);
   const Json* any(const std::string& key);  ///< a value of any type, or null
   /// True if the table contains the key or one of its aliases.
   bool given_in_any_way(const std::string& key) const { return has_any(node_, keys_.ways(key)); }
-  /// Sets the helix angle with which values in the transverse section are converted. The default is
-  /// 0.
+  /// Sets the helix angle with which transverse values are converted. The default is 0.
   void use_helix(Angle beta) { cos_beta_ = std::cos(beta.rad()); }
 
   void check(const std::string& key, double value) const;
@@ -65,16 +64,15 @@ class TableReader {
   /// value of the key, for example "sun" in bore_mm = { sun = 200 }. `part` is empty if the value
   /// is a single number.
   double checked(const std::string& key, const Json& value, const std::string& part = "") const;
-  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled
-  /// key.
+  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelling.
   void require_all() const;
   /// Records that the key and its aliases are missing, so that finish() fails.
   void lacks_one_of(const std::string& key, const std::string& what);
   /// Rejects a key that is not allowed here, with the reason.
   void refuse(const std::string& key, const std::string& why);
-  /// Fails if a key is unknown, if a key is missing that is always required or that another key
-  /// requires, or if two keys exclude each other. The error for an unknown key names the
-  /// nearest known key.
+  /// Fails if a key is unknown, if a required key is missing, or if two keys exclude each other. A
+  /// key may be required always or by another key. The error for an unknown key names the nearest
+  /// known key.
   void finish() const;
   void refuse_unknown() const;  ///< checks only for an unknown key
 
@@ -91,8 +89,8 @@ class TableReader {
   const Key& entry(const std::string& key) const;
   const Json* find(const std::string& key);
   std::optional<KeyValue> value(const Key& key);
-  /// The value in the unit of `key`, from the key or its aliases. If several of these keys are
-  /// given, their values must agree.
+  /// Returns the value in the unit of `key`, from the key or its aliases. If several of these keys
+  /// are given, their values must agree.
   std::optional<double> number_in_any_way(const Key& key);
   std::optional<int> whole(const std::string& key);
   std::optional<std::vector<int>> words(const Key& key);
@@ -121,7 +119,7 @@ T read_table(const KeyTable& keys, const Json& node, const std::string& path) {
 
 constexpr double kSameInput = 1e-9;  ///< greatest relative difference of two values of one input
 
-/// A value as the user wrote it, cut to a length that fits a message.
+/// Returns a value as the user wrote it, cut to a length that fits a message.
 std::string shown(const Json& value);
 
 }  // namespace gearwright

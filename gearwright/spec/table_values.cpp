@@ -1,5 +1,5 @@
-// The values of a table: numbers, words, texts, lists of them, numbers by name and series. Each
-// value is checked against the range and the form that its key declares.
+// Reads the values of a table, which are numbers, words, texts, lists, numbers by name and series.
+// Each value is checked against the range and the form that its key declares.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// The rule of a value that must be a number. A number in quotes is a text.
+// Returns the rule of a value that must be a number. A number in quotes is a text.
 std::string number_rule(const Json& value) {
   const std::string text = value.is_string() ? value.get<std::string>() : std::string();
   char* end = nullptr;

@@ -29,8 +29,8 @@ bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// The unit of a path whose last key is in the catalogue, or null. Any other word is a name that the
-// user chose, and has no unit even if it ends like the key of a length.
+// Returns the unit of a path whose last key is in the catalogue, or null. Any other word is a name
+// that the user chose, and has no unit even if it ends like the key of a length.
 const KeyUnit* declared_metric(std::string_view path) {
   return is_spec_key(path) ? metric_unit(path) : nullptr;
 }
@@ -153,7 +153,7 @@ Json sentences_in_inch(const Json& value) {
   return list;
 }
 
-// The kind of a tree: a part of a result, a spec, a table whose keys are names that the user
+// The kind of a tree. It is a part of a result, a spec, a table whose keys are names that the user
 // chose, or a table of kShares. Some keys of a spec are also names that the user chose.
 enum class Tree { record, spec, by_name, shares };
 

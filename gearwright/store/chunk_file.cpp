@@ -92,15 +92,14 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return found;
 }
 
-// The name of this host with the characters that file names allow.
+// Returns the name of this host with _ in place of /, which file names do not allow.
 std::string host_in_names() {
   std::string host = host_name();
   std::replace(host.begin(), host.end(), '/', '_');
   return host;
 }
 
-// `owner` is HOST.PID. A process of another host counts as alive, because this host cannot check
-// it.
+// `owner` is HOST.PID. A process of another host counts as alive, because it cannot be checked.
 bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;

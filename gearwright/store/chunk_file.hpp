@@ -53,10 +53,10 @@ class ChunkFolder {
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path path(std::int64_t chunk) const;
   bool there(std::int64_t chunk) const;
-  /// The numbers of all chunk files in ascending order. The list is empty if there is no folder.
+  /// Returns the numbers of all chunk files, ascending. The list is empty if there is no folder.
   std::vector<std::int64_t> list() const;
 
-  /// The chunk, or nothing if its file does not exist.
+  /// Returns the chunk, or nothing if its file does not exist.
   std::optional<ChunkRead> read(std::int64_t chunk, Depth depth) const;
   /// Writes the whole file or nothing.
   void write(std::int64_t chunk, std::string_view payload, const ChunkCounts& counts) const;

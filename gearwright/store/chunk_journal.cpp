@@ -35,8 +35,8 @@ bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// The quoted column names of the constraints. SQLite ignores case, so names that differ only in
-// case get a number.
+// Returns the quoted column names of the constraints. SQLite ignores case, so names that differ
+// only in case get a number.
 std::vector<std::string> column_names(const std::vector<std::string>& constraints) {
   std::set<std::string> taken = {"chunk", "tested", "feasible", "bytes", "writer", "finished"};
   std::vector<std::string> columns;

@@ -41,8 +41,7 @@ class ChunkJournal {
   /// Opens the journal, or makes an empty one.
   ChunkJournal(const std::filesystem::path& path, const std::vector<std::string>& constraints);
 
-  /// Excludes all other writers until commit(). The destructor undoes a transaction that was not
-  /// committed.
+  /// Excludes all other writers until commit(). The destructor undoes an uncommitted transaction.
   class Transaction {
    public:
     explicit Transaction(ChunkJournal& journal);
@@ -56,8 +55,8 @@ class ChunkJournal {
     bool open_ = true;
   };
 
-  /// The contents of the table `campaign`; empty before a campaign has begun. The caller must hold
-  /// a transaction.
+  /// Returns the contents of the table `campaign`. The result is empty before a campaign has begun.
+  /// The caller must hold a transaction.
   std::map<std::string, std::string> campaign();
   /// Makes the tables and begins the campaign. The caller must hold a transaction.
   void begin(const std::map<std::string, std::string>& campaign);

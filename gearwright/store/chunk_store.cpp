@@ -38,7 +38,7 @@ Record record_of(const Campaign& campaign, const std::vector<std::string>& rejec
           {"counts", names}};
 }
 
-// All properties in which two campaigns may differ, as lines of the form "key = value".
+// Returns all properties in which two campaigns may differ, as lines of the form "key = value".
 std::string text_of(Record record) {
   return record["fingerprint"] + "\nchunks = " + record["chunks"] +
          "\ncounts = " + record["counts"] + "\n";
@@ -102,8 +102,8 @@ Error refused_folder(const fs::path& folder, const std::string& why) {
   return {"--out", native_text(folder), why, FailureKind::option};
 }
 
-// The reason why the folder cannot be opened in the mode `as`, or nothing if it can. `old` is the
-// content of the journal, empty if there is none.
+// Returns the reason why the folder cannot be opened in the mode `as`, or nothing if it can. `old`
+// is the content of the journal. It is empty if there is no journal.
 std::optional<Error> refusal(const fs::path& folder, const Record& old, const Record& now,
                              const ChunkFolder& files, OpenAs as) {
   const std::vector<std::int64_t> chunks = files.list();
@@ -175,7 +175,7 @@ struct ChunkStore::Impl {
   ChunkCounts sum;
 };
 
-// The finished chunks of this campaign. Files with numbers outside the campaign are ignored.
+// Returns the campaign's finished chunks. Files with numbers outside the campaign are ignored.
 std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   std::vector<std::int64_t> chunks = files.list();
   while (!chunks.empty() && !ours(chunks.back())) chunks.pop_back();

@@ -8,9 +8,9 @@
 //
 // The chunk files are authoritative, and no result depends on the journal. The journal serves users
 // and the progress output, and it coordinates processes. A file is renamed to its final name before
-// its row is written, so a process that is killed loses only its current chunk. The next process
-// that opens the folder writes the missing rows. Shards, ranks and nodes on one file system may
-// work in one folder at the same time. The journal and SQLite's locks coordinate them. The file
+// its row is written. A process that is killed therefore loses only its current chunk. The next
+// process that opens the folder writes the missing rows. Shards, ranks and nodes on one file system
+// may work in one folder at the same time. The journal and SQLite's locks coordinate them. The file
 // system must support these locks (Lustre must be mounted with flock). Nothing is synced to the
 // disk. After a power failure, a chunk file may be too short, which its checksum detects. The
 // journal may also be broken, but it can be moved away without loss.
@@ -29,9 +29,9 @@ namespace gearwright {
 
 /// One search, divided into the chunks 0 … chunks − 1.
 struct Campaign {
-  /// All data that determine the result: the normalised spec, the version of the program and the
-  /// size of a chunk. The text consists of lines "key = value". Two campaigns with the same text
-  /// may share their chunks.
+  /// All data that determine the result. They are the normalised spec, the version of the program
+  /// and the size of a chunk, as lines "key = value". Two campaigns with the same text may share
+  /// their chunks.
   std::string fingerprint;
   std::int64_t chunks = 0;
 };
@@ -78,27 +78,28 @@ class ChunkStore {
   ~ChunkStore();
 
   bool done(std::int64_t chunk) const;
-  /// The unfinished chunks, ascending.
+  /// Returns the unfinished chunks, ascending.
   std::vector<std::int64_t> missing() const;
 
-  /// Saves a finished chunk, either whole or not at all. An existing chunk is overwritten. This
-  /// changes nothing, because its bytes do not depend on the process that writes them.
+  /// Saves a finished chunk, either whole or not at all. An existing chunk is overwritten.
+  /// Overwriting changes nothing, because the bytes of a chunk do not depend on the process that
+  /// writes them.
   ///
   /// Throws    IoError. If the error names the journal, the chunk itself is saved, and the next
   ///           open() writes its row
   void put(std::int64_t chunk, std::string_view bytes, const ChunkCounts& counts);
 
-  /// The bytes of a finished chunk, checked against its checksum.
+  /// Returns the bytes of a finished chunk, checked against its checksum.
   ///
   /// Throws    IoError if the chunk is missing or broken. A broken chunk is renamed and counts as
   ///           missing
   std::string get(std::int64_t chunk) const;
-  /// The counts of a finished chunk.   Throws  IoError like get()
+  /// Returns the counts of a finished chunk.   Throws   IoError like get()
   ChunkCounts counts(std::int64_t chunk) const;
-  /// The sum over all finished chunks of all processes.   Throws  IoError like get()
+  /// Returns the sum over all finished chunks of all processes.   Throws   IoError like get()
   ChunkCounts totals() const;
 
-  /// The repairs made by open(), one sentence each.
+  /// Returns the repairs made by open(), one sentence each.
   const std::vector<std::string>& notes() const;
 
  private:
@@ -107,8 +108,9 @@ class ChunkStore {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The first three differences between the lines "key = value" of two campaigns, for example
-/// "search.contact_ratio_min was 1.2 and is now 1.3; search.m_max was 5 and is not set now".
+/// Returns the first three differences between the lines "key = value" of two campaigns, for
+/// example "search.contact_ratio_min was 1.2 and is now 1.3; search.m_max was 5 and is not set
+/// now".
 std::string campaign_differences(const std::string& was, const std::string& is);
 
 }  // namespace gearwright

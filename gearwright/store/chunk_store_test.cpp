@@ -48,7 +48,7 @@ TEST_F(ChunkStoreTest, a_whole_life) {
     }
     EXPECT_TRUE(store.notes().empty());
   }
-  // The columns have the names of the constraints, changed to valid and different names.
+  // The columns have the names of the constraints, changed so that they are valid and unique.
   const auto row = query(folder_,
                          "SELECT tested, feasible, shift_limits, contact_ratio, Contact_Ratio_2, "
                          "bytes_2, bytes, writer, finished FROM chunks WHERE chunk = 4");
@@ -136,9 +136,9 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
     ChunkStore store = opened(OpenAs::fresh, campaign(9));
     for (const std::int64_t k : range(8)) put(store, k);
   }
-  // The test damages the folder: chunk 2 has no row, file 1 is too short, file 3 has a wrong bit in
-  // its payload and file 4 in its header, file 5 is a copy of chunk 2, row 6 has no file, and file
-  // 7 is empty.
+  // The test damages the folder. Chunk 2 has no row, and row 6 has no file. File 1 is too short,
+  // and file 7 is empty. File 3 has a wrong bit in its payload, and file 4 in its header. File 5 is
+  // a copy of chunk 2.
   query(folder_, "DELETE FROM chunks WHERE chunk = 2");
   fs::resize_file(file(1), fs::file_size(file(1)) - 1);
   flip(file(3), fs::file_size(file(3)) - 10);
@@ -146,8 +146,8 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
   fs::copy_file(file(2), file(5), fs::copy_options::overwrite_existing);
   fs::remove(file(6));
   write(file(7), "");
-  // Four unfinished files: of a dead process, of a live process, a recent file of another host, and
-  // an old file of another host.
+  // There are four unfinished files. They belong to a dead process, to a live process, and to
+  // processes of another host, of which one file is recent and one is old.
   char host[256] = {};
   ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
   const std::string here = std::string(".0.part.") + host + ".";

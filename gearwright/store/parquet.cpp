@@ -2,9 +2,9 @@
 //
 //   PAR1 | chunk of column 0, group 0 | chunk of column 1, group 0 | ... | footer | its size | PAR1
 //
-// A chunk is one data page of version 1: the header of the page, then the page compressed by zstd.
-// Headers and footer are Thrift structs. parquet.thrift defines the numbers of fields, types and
-// encodings.
+// A chunk is one data page of version 1. It has the header of the page, and then the page
+// compressed by zstd. Headers and footer are Thrift structs. parquet.thrift defines the numbers of
+// fields, types and encodings.
 #include "gearwright/store/parquet.hpp"
 
 #include <fmt/format.h>
@@ -32,8 +32,8 @@ namespace {
 constexpr std::string_view kParquetMagic = "PAR1";
 constexpr std::size_t kZstd = 6;
 constexpr std::size_t kUtf8 = 0;
-// Level of zstd. Measured with 2 million rows of 5 doubles and 2 integers: level 1 takes 0.25 s and
-// gives 20.6 MB, level 3 takes 0.22 s and gives 20.3 MB, level 6 takes 0.39 s and gives 20.1 MB.
+// Level of zstd. For 2 million rows of 5 doubles and 2 integers, level 1 takes 0.25 s and gives
+// 20.6 MB. Level 3 takes 0.22 s and gives 20.3 MB. Level 6 takes 0.39 s and gives 20.1 MB.
 constexpr int kZstdLevel = 3;
 constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // greatest length of a text, bytes
 // The size of a page is an int32. All texts of a group except the last one together have less than
@@ -147,7 +147,7 @@ std::size_t ParquetWriter::State::write_chunk(const ColumnChunk& chunk, Thrift& 
   write(content);
 
   group.open();
-  group.i64(2, 0);  // file_offset; 0, because the metadata is in the footer only
+  group.i64(2, 0);  // file_offset; 0, because only the footer contains metadata
   group.open(3);
   group.i32(1, physical_type(column.type));
   group.list(2, Thrift::Kind::i32, column.optional ? 2 : 1);
@@ -328,7 +328,8 @@ std::optional<std::string> parquet_note(const fs::path& file, std::string_view k
   for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(end[i]);
   if (length > size - kEnd) return std::nullopt;
   const std::string footer = last(length + kEnd);
-  // A key and its value form a struct of two binary fields: field 1 is the key, field 2 the value.
+  // A key and its value form a struct of two binary fields. Field 1 is the key, and field 2 the
+  // value.
   std::string before = "\x18";
   append_varint(before, key.size());
   before += key;

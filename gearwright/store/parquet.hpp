@@ -1,7 +1,7 @@
 // Writes the result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and
 // MATLAB can read.
 //
-// A table is flat: it has named columns, each of one type, and rows are added one after another.
+// A table is flat. It has named columns, each of one type, and rows are added one after another.
 // Rows are kept in memory until a row group is full and are then written column by column. For each
 // written row group, only about 100 bytes of footer per column remain in memory.
 //
@@ -91,8 +91,8 @@ class ParquetWriter {
   std::unique_ptr<State> state_;
 };
 
-/// The value of a key in the footer of a table made by ParquetWriter, or nothing if there is no
-/// such table or key.
+/// Returns the value of a key in the footer of a table made by ParquetWriter, or nothing if there
+/// is no such table or key.
 ///
 /// Throws    IoError if the file exists and cannot be read
 std::optional<std::string> parquet_note(const std::filesystem::path& file, std::string_view key);

@@ -1,5 +1,4 @@
-// The values of one column of a row group, and their encoding in Parquet.
-// Internal to store/.
+// Collects and encodes the values of one column of a row group. Internal to store/.
 #pragma once
 
 #include <cstddef>
@@ -32,10 +31,10 @@ struct ColumnChunk {
 /// Ends row number `row` of the group. If no value was set in this row, the value is null.
 void end_row(ColumnChunk& chunk, std::size_t row);
 
-/// The data page before compression. An optional column has definition levels before its values.
+/// Returns the data page before compression. An optional column begins with definition levels.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
-/// Writes the fields of the struct Statistics: the number of nulls and, for numbers, the range.
+/// Writes the fields of the struct Statistics, the number of nulls and, for numbers, the range.
 void write_statistics(Thrift& out, const ColumnChunk& chunk, std::size_t rows);
 
 }  // namespace gearwright

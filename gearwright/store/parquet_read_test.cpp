@@ -32,7 +32,7 @@ std::uint64_t bits(double value) {
   return u;
 }
 
-// A number as read_parquet.mjs prints it. Numbers that JSON cannot represent are strings.
+// Returns a number as read_parquet.mjs prints it. Numbers that JSON cannot represent are strings.
 double real(const json& value) {
   return value.is_string() ? std::strtod(value.get<std::string>().c_str(), nullptr)
                            : value.get<double>();
@@ -74,7 +74,7 @@ class ParquetRead : public ParquetFile {
     EXPECT_EQ(answer.status, 0) << answer.text;
     return answer.status == 0 ? json::parse(answer.text) : json::array();
   }
-  // The number of rows of each group, in order.
+  // Returns the number of rows of each group, in order.
   std::vector<std::size_t> group_rows() const {
     std::vector<std::size_t> found;
     for (const json& group : rows(
@@ -249,8 +249,7 @@ TEST_F(ParquetRead, RangesAndNullsAreCounted) {
   std::vector<std::optional<double>> values;
   const std::vector<std::vector<std::optional<double>>> starts = {
       {-3.5, 2.25}, {0.0, -1.0}, {-0.0, 1.0}, {{}, nan, 5.0}, {{}}};
-  for (const auto& start : starts) {  // one group each, in which the first value of `start` is
-                                      // repeated
+  for (const auto& start : starts) {  // each start makes one group, which repeats its first value
     for (std::size_t i = 0; i < kGroup; ++i)
       values.push_back(i < start.size() ? start[i] : start[0]);
   }

@@ -6,7 +6,7 @@
     pair = gw.Pair(pinion, wheel, center_distance=78.6)
     pair.contact_ratio, pair.replace(center_distance=79).backlash.normal
 
-A name without a unit takes a value in mm or rad, and a key with a unit takes a value in that unit. as_dict() returns
+A name without a unit takes a value in mm or rad. A key with a unit takes a value in this unit. as_dict() returns
 the keys of the program's JSON. A number that is impossible for a gear raises SpecError, which contains its key
 and the permitted values. A defect of Gearwright itself raises ContractViolation. Please report its message.
 """

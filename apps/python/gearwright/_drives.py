@@ -28,7 +28,8 @@ def _value(record: Mapping[str, Any], name: str) -> Any:
 
 
 class Part:
-    """A part of a drive, for example a body or a mesh. Attributes are in mm and rad; items have the units of their keys"""
+    """A part of a drive, for example a body or a mesh. Attributes are in mm and rad. Items have the units of their
+    keys."""
 
     def __init__(self, record: Mapping[str, Any]) -> None:
         self._record = dict(record)
@@ -84,22 +85,23 @@ class Drive:
 
     @property
     def spec(self) -> dict[str, Any]:
-        """The values from which the drive was made, by key"""
+        """The values from which the drive was made, by key."""
         return copy.deepcopy(self._spec)
 
     @property
     def bodies(self) -> dict[str, Part]:
-        """Speeds, torques and powers of the bodies, by name"""
+        """Speeds, torques and powers of the bodies, by name."""
         return {name: Part(body) for name, body in self._record["bodies"].items()}
 
     @property
     def meshes(self) -> dict[str, Part]:
-        """Frequencies, losses and pairs of the meshes, by name"""
+        """Frequencies, losses and pairs of the meshes, by name."""
         return {name: Part(mesh) for name, mesh in self._record["meshes"].items()}
 
     @property
     def verdict(self) -> Part:
-        """Level, headline and findings for the drive and the pairs in its meshes; the worst finding determines the level"""
+        """Level, headline and findings for the drive and the pairs in its meshes. The worst finding determines the
+        level."""
         return Part(self._verdict)
 
     @property
@@ -134,7 +136,7 @@ class Drive:
         return Drive(spec, self._folder)
 
     def as_dict(self) -> dict[str, Any]:
-        """Every quantity by key, in the unit that the key names, as in JSON"""
+        """Returns every quantity by key, in the unit that the key names, as in JSON."""
         return copy.deepcopy(self._record)
 
     def __getattr__(self, name: str) -> Any:
@@ -172,5 +174,5 @@ def train(*stages: Mapping[str, Any]) -> Drive:
 
 def load_drive(path: str | os.PathLike[str]) -> Drive:
     """Makes the drive of a spec file, in TOML or JSON. Relative file names start at the folder of
-    the spec"""
+    the spec."""
     return Drive(*_core._read(path))

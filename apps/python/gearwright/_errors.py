@@ -6,8 +6,8 @@ from __future__ import annotations
 class SpecError(ValueError):
     """The input contains a number that is impossible for a gear.
 
-    key      the key of a spec, "pair.center_distance_mm"; for a single Gear "helix_angle_deg"
-    value    the given value as text; empty if there is none or if it is too long for a sentence
+    key      the key of a spec, for example "pair.center_distance_mm", or of a Gear, for example "helix_angle_deg"
+    value    the given value as text, or "" if there is none or if it is too long for a sentence
     allowed  the violated rule, the permitted values with the reason, and a remedy
     message  all of these in one sentence
     """

@@ -8,7 +8,7 @@ from typing import Any
 
 
 class Record:
-    """Quantities of the catalogue. Attributes are in mm and rad; items have the units of their keys"""
+    """Quantities of the catalogue. Attributes are in mm and rad. Items have the units of their keys."""
 
     __slots__ = ("_attributes", "_items", "_keys")
 
@@ -35,7 +35,7 @@ class Record:
         return list(self._keys)
 
     def as_dict(self) -> dict[str, Any]:
-        """Returns every quantity by key, in the unit that the key names, as in JSON"""
+        """Returns every quantity by key, in the unit that the key names, as in JSON."""
         return {key: self[key] for key in self._keys}
 
     def __eq__(self, other: object) -> bool:

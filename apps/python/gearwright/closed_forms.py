@@ -50,7 +50,7 @@ def _shaped(column: Array, shape: tuple[int, ...]) -> Any:
 
 
 def involute(alpha: ArrayLike) -> Any:
-    """inv α = tan α − α, |α| < π/2."""
+    """Returns inv α = tan α − α for |α| < π/2."""
     columns, rows, shape = _columns(alpha)
     return _shaped(_core._involute(columns, rows), shape)
 
@@ -112,20 +112,20 @@ def pair_table(
 
 def center_distance(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                     helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2) (mounting="extended"). Keywords
-    are those of pair_table."""
+    """Returns the centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2) (mounting="extended").
+    Keywords are those of pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("center_distance",), **more)["center_distance"]
 
 
 def working_pressure_angle(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                            helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The transverse working pressure angle α_wt. Keywords are those of pair_table."""
+    """Returns the transverse working pressure angle α_wt. Keywords are those of pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("working_pressure_angle",), **more)["working_pressure_angle"]
 
 
 def contact_ratio(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                   helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The transverse contact ratio ε_α. Keywords are those of pair_table."""
+    """Returns the transverse contact ratio ε_α. Keywords are those of pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("contact_ratio",), **more)["contact_ratio"]
 
 
@@ -133,7 +133,7 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
              helix_angle: ArrayLike = 0.0, *, thickness_allowance1: ArrayLike = 0.0,
              thickness_allowance2: ArrayLike = 0.0, normal_module: float = 1.0,
              normal_pressure_angle: float = _ALPHA) -> Any:
-    """The backlash j_n in the normal section at a centre distance. It is negative if the teeth overlap."""
+    """Returns the backlash j_n in the normal section at a centre distance. It is negative if the teeth overlap."""
     columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
                                     thickness_allowance2, center_distance)
     tan_alpha = math.tan(_pressure_angle(normal_pressure_angle))

@@ -10,7 +10,7 @@
 
 namespace gearwright::web {
 
-/// The text of a spec. It is JSON if it begins with a brace, otherwise TOML.
+/// Returns the text of a spec. It is JSON if it begins with a brace, otherwise TOML.
 SpecText spec_text(std::string text);
 
 /// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
@@ -34,7 +34,7 @@ struct Answered {
 };
 Answered answered(std::string_view verb, const std::string& text);
 
-/// The same spec in mm, as TOML. Comments of the text are lost.
+/// Returns the same spec in mm, as TOML. Comments of the text are lost.
 Result<std::string> metric(const std::string& text);
 
 /// Converts JSON to TOML, or TOML to JSON. In the JSON, a material that was only a name becomes a

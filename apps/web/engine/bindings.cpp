@@ -1,8 +1,8 @@
 // Makes each function of the module available in JavaScript. The functions take and return values,
 // throw no exceptions and contain no formulas.
 //
-// engine.js adapts them to engine.d.ts. It adds default arguments, and catches traps in every call,
-// because only JavaScript can detect a trap.
+// The file engine.js adapts the functions to engine.d.ts. It adds default arguments, and catches
+// traps in every call, because only JavaScript can detect a trap.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 

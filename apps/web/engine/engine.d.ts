@@ -21,7 +21,7 @@
 // Housing frame, rotations and signs are described in docs/theory/01-frames.md. If `rotation1`
 // increases, gear 1 turns clockwise seen from +z, and gear 2 turns accordingly.
 
-/** An error: the key of the spec, its value, and the message. */
+/** An error with the key of the spec, its value, and the message. */
 export interface Failed {
   error: {
     key: string; // "gear1.normal_module_mm", or "" if the error has no key
@@ -36,7 +36,6 @@ export interface Failed {
   };
 }
 
-/** Every verb that returns JSON for a spec. */
 export type Verb = "gear" | "pair" | "drive" | "measure" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
 
 /** Kinds of files that the engine makes. `report` and `json` contain everything about the spec. */
@@ -44,7 +43,6 @@ export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing
 
 // ---------------------------------------------------------------------------------- catalogue
 
-/** One key of a spec. */
 export interface InputKey {
   key: string; // "helix_angle_deg"
   symbol: string; // "β", may be empty
@@ -78,7 +76,6 @@ export interface InputTable {
   keys: InputKey[];
 }
 
-/** One quantity of a result. */
 export interface Quantity {
   key: string; // key in JSON: "tip_diameter_mm"
   words: string; // "tip diameter"
@@ -110,7 +107,6 @@ export interface NamedMaterial {
   hardness_HV: number;
   note: string;
 }
-/** An objective of a search. */
 export interface Objective {
   name: string; // value of the key `objective` in [search]
   words: string;
@@ -221,10 +217,10 @@ export interface Work<T> {
   /** Works for about this number of milliseconds. Afterwards, `done` of `of` steps are complete. Steps may
    *  differ in duration. */
   step(milliseconds: number): { done: number; of: number; finished: boolean } | Failed;
-  /** The result. Before the work is finished, this is a partial result or null. */
+  /** Returns the result. Before the work is finished, this is a partial result or null. */
   result(): T | Failed | null;
-  /** Figures of the result. A map has one figure. For teeth under load, the figures show the torque with this
-   *  index. */
+  /** Returns figures of the result. A map has one figure. For teeth under load, the figures show the torque with
+   *  this index. */
   figures(torque: number, width: number): Figure[] | Failed;
   /** For teeth under load, the rows of each torque. */
   rows(): Row[][] | Failed;
@@ -242,7 +238,6 @@ export interface ErrorMap {
   peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN if no teeth touch or if not yet computed
 }
 
-/** Teeth under load. */
 export interface LoadResult {
   json: string; // the output of `gearwright load SPEC --json`, without probes
 }
@@ -266,9 +261,9 @@ export interface Row {
 
 // ---------------------------------------------------------------------------------- figures
 
-/** A figure as in the report: its picture with caption, and the data of its curves. (Gears in section have
- *  no caption.) The group of class "plot" describes the scales of its axes in `data-x` and `data-y`.
- *  Each is "lo hi from to": the value `lo` is at the position `from`, and `hi` at `to`, in px. */
+/** A figure as in the report, with its picture, its caption and the data of its curves. Gears in section have
+ *  no caption. The group of class "plot" describes the scales of its axes in `data-x` and `data-y`. Each
+ *  attribute is "lo hi from to", where the value `lo` is at the position `from`, and `hi` is at `to`, in px. */
 export interface Figure {
   id: string; // name, "te", "spectrum", "bearing1", "pressure2"
   html: string; // a `figure` element; its classes are those of figure_style.css
@@ -284,7 +279,6 @@ export interface Figure {
     grid?: { words: string; unit: string; x: number[]; y: number[]; values: (number | null)[][] };
   };
 }
-/** Options of the figures of contact. */
 export interface ContactView {
   width: number; // px, width of a figure
   positions: number; // number of positions per pitch
@@ -338,59 +332,61 @@ export interface Session {
   readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), solids, figures and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
   readonly pitchDeg: number; // one pitch of gear 1; 0 for a drive
-  /** Sets the unit of lengths of figures, rows, the report and drawings. Initially "mm". The figure of the gears
-   *  in section and all other results are in mm. */
+  /** Sets the unit of lengths of figures, rows, the report and drawings. The initial unit is "mm". The figure
+   *  of the gears in section and all other results are in mm. */
   showIn(unit: "mm" | "in"): void;
-  /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
+  /** Returns the output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
-  /** The rows of the result of `gear`, `pair`, `drive`, `contact` or `rate`; empty for other verbs, and if the verb
-   *  fails. A verb is not computed again if the last call of `json` had the same verb. */
+  /** Returns the rows of the result of `gear`, `pair`, `drive`, `contact` or `rate`. The result is empty for other
+   *  verbs, and if the verb fails. A verb is not computed again if the last call of `json` had the same verb. */
   rows(verb: Verb): Row[] | Failed;
-  /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
+  /** Returns the solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   driveSolids(): DriveSolids | Failed;
-  /** The scheme of a drive ("scheme") and its power flow ("power"). */
+  /** Returns the scheme of a drive ("scheme") and its power flow ("power"). */
   driveFigures(width: number): Figure[] | Failed;
-  /** The curves of a drive under load; empty without [load]. Computing the load takes seconds. */
+  /** Returns the curves of a drive under load. The result is empty without [load]. Computing the load takes
+   *  seconds. */
   driveLoadFigures(width: number): Figure[] | Failed;
   lines(): MeshLines | Failed;
-  /** The gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
+  /** Returns the gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
    *  transformation is relative to the position of the gear. */
   meshFigure(view: MeshView): Figure | Failed;
-  /** The transformation from the frame of a gear to the housing frame, at a rotation of gear 1 and with
-   *  the errors of the spec. It is a column-major 4×4 matrix for three.js. Gear 2 is turned until its
-   *  working flanks touch. If there is no contact, or if `nominal` is true, its rotation follows from the
-   *  gear ratio instead, and its teeth are in the middle of the backlash. */
+  /** Returns the transformation from the frame of a gear to the housing frame, at a rotation of gear 1 and with the
+   *  errors of the spec. It is a column-major 4×4 matrix for three.js. Gear 2 is turned until its working flanks
+   *  touch. If there is no contact, or if `nominal` is true, its rotation follows from the gear ratio instead, and
+   *  its teeth are in the middle of the backlash. */
   pose(gear: 1 | 2, rotation1Deg: number, nominal?: boolean): Float64Array | Failed;
-  /** The contact at `positions` per pitch under the errors and modifications of the spec. The first position is
-   *  half a pitch before the centre line. */
+  /** Returns the contact at `positions` per pitch under the errors and modifications of the spec. The first position
+   *  is half a pitch before the centre line. */
   contactCurve(positions: number): ContactCurve | Failed;
-  /** Figures of the transmission error, of its spectrum and of both flanks. A figure without data is omitted. */
+  /** Returns figures of the transmission error, of its spectrum and of both flanks. A figure without data is
+   *  omitted. */
   contactFigures(view: ContactView): Figure[] | Failed;
-  /** The contact at one position, with the keys of contact.positions. If no teeth touch, `kind` is "none". */
+  /** Returns the contact at one position, with the keys of contact.positions. If no teeth touch, `kind` is
+   *  "none". */
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
-  /** The gap on the flank of gear 1 at one position, for tooth pair k (`tooth` of a position). */
+  /** Returns the gap on the flank of gear 1 at one position, for tooth pair k (`tooth` of a position). */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
-  /** The least gap at each point of both flanks while the gears rotate, which shows the pattern of
-   *  the marking compound. For a rack and its pinion, only the flank of the pinion is returned. If
-   *  the halves of a double-helical pair differ, both flanks of the half at z < 0 follow. */
+  /** Returns the least gap at each point of both flanks while the gears rotate, which shows the pattern of the
+   *  marking compound. For a rack and its pinion, only the flank of the pinion is returned. If the halves of a
+   *  double-helical pair differ, both flanks of the half at z < 0 follow. */
   pattern(positions: number, rows?: number, columns?: number): Work<FlankRaster[]> | Failed;
-  /** The peak-to-peak transmission error as a function of two errors, which are keys of [errors]. */
+  /** Returns the peak-to-peak transmission error as a function of two errors, which are keys of [errors]. */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
-  /** Teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine
-   *  keeps the compliance of the teeth. If only torque, errors or modifications have changed, the
-   *  next call therefore takes much less time. */
+  /** Computes teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine
+   *  keeps the compliance of the teeth. If only torque, errors or modifications have changed, the next call
+   *  therefore takes much less time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
-  /** An estimate, to first order, of the effect of the tolerances of [scatter] on the peak-to-peak
-   *  transmission error. The estimate takes a fraction of a second. `width` is the width of a
-   *  figure in px. */
+  /** Returns an estimate, to first order, of the effect of the tolerances of [scatter] on the peak-to-peak
+   *  transmission error. The estimate takes a fraction of a second. `width` is the width of a figure in px. */
   scatterSketch(width: number): Scattered | Failed;
-  /** The effect of the tolerances of [scatter], computed by complete contact analyses. The number
-   *  of samples is at most 1024. It is smaller if 1024 samples would take longer than about three
-   *  seconds. */
+  /** Returns the effect of the tolerances of [scatter], computed by complete contact analyses. The number of samples
+   *  is at most 1024. It is smaller if 1024 samples would take longer than about three seconds. */
   scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
-  /** The bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json require 0. */
+  /** Returns the bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json
+   *  require 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
   delete(): void;
 }
@@ -403,11 +399,11 @@ export interface ErrorAxis {
 
 export interface SearchSession extends Work<SearchResult> {
   readonly trials: number;
-  /** The designs found so far, best first, as JSON with the rows of search.designs. */
+  /** Returns the designs found so far, best first, as JSON with the rows of search.designs. */
   best(most: number): string;
-  /** A design of the finished search as a TOML spec. Ranks start at 1. */
+  /** Returns a design of the finished search as a TOML spec. Ranks start at 1. */
   take(design: number): string | Failed;
-  /** The report of the search as HTML, as the program writes it. */
+  /** Returns the report of the search as HTML, as the program writes it. */
   report(): Uint8Array | Failed;
 }
 
@@ -415,9 +411,9 @@ export interface SearchSession extends Work<SearchResult> {
 
 export interface Engine {
   version(): string;
-  /** The output of `gearwright VERB --json`, byte for byte. If there is an error, the output is the
-   *  JSON of a `Failed`. A text that begins with a brace is read as JSON, any other text as TOML.
-   *  `search` runs to its end in this call. */
+  /** Returns the output of `gearwright VERB --json`, byte for byte. If there is an error, the output is the JSON of
+   *  a `Failed`. A text that begins with a brace is read as JSON, any other text as TOML. `search` runs to its end
+   *  in this call. */
   run(verb: Verb, spec: string): string;
   /** JSON Schema of specs or results, as `gearwright schema` prints it. */
   schema(of: "spec" | "result"): string;
@@ -426,7 +422,7 @@ export interface Engine {
   /** Converts a spec from JSON to TOML, or from TOML to JSON. Values are preserved, but comments are lost. */
   toToml(json: string): string | Failed;
   toJson(toml: string): string | Failed;
-  /** The same spec in mm, as TOML. Sessions and searches need specs in mm. */
+  /** Returns the same spec in mm, as TOML. Sessions and searches need specs in mm. */
   metric(text: string): string | Failed;
   /** Sets one key of a TOML text, for example "gear1.profile_shift", and returns the new text. The value
    *  is JSON, "0.25" or "\"left\"". "null" removes the key. Comments and order are preserved. */
@@ -434,7 +430,7 @@ export interface Engine {
   open(spec: string): Session | Failed;
   openSearch(spec: string, most?: number): SearchSession | Failed;
   designs(of: DesignDots): Figure | Failed;
-  /** A picture as a PDF of one page. `svg` is XML with the elements and classes of `Figure.html`. */
+  /** Returns a picture as a PDF of one page. `svg` is XML with the elements and classes of `Figure.html`. */
   picturePdf(svg: string, title: string): Uint8Array | Failed;
 }
 

@@ -9,14 +9,12 @@ const broken = (e) => ({
   error: { key: "", value: "", message: kBroken + (e instanceof Error ? e.message : String(e)) },
 });
 
-/** Returns true if a call returned an error. */
 export function failed(x) {
   return typeof x === "object" && x !== null && "error" in x;
 }
 
 /** Calls that return text. For these calls, an error is also returned as text. */
 const kTexts = ["run", "json", "best"];
-/** Default values of arguments that the caller omits. */
 const kDefaults = {
   openSearch: ["", 0],
   step: [8],

@@ -1,4 +1,4 @@
-// Figures in section, solids, lines and positions of the gears of a session.
+// Computes figures in section, solids, lines and positions of the gears of a session.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -14,7 +14,7 @@ namespace gearwright::web {
 
 namespace {
 
-// Number of trials in the first part. The sizes of later parts are chosen so that a part takes
+// Number of trials in the first part. Later parts have as many trials as can be computed in
 // kPartMs.
 constexpr std::int64_t kFirstPart = 1 << 12;
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;

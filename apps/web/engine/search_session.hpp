@@ -20,7 +20,7 @@ class SearchSession {
   std::int64_t trials() const { return trials_; }
   Steps step(double milliseconds);
   bool finished() const { return stage_ == Stage::done; }
-  /// The counts and the text of the answer. The text is empty until the search is finished.
+  /// Returns the counts and the text of the answer. The text is empty until the search is finished.
   Json result() const;
   std::string best(int most) const;
   Result<std::string> take(int design) const;

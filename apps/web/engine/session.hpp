@@ -1,5 +1,5 @@
-// A spec that has been read and solved, with the results that a page shows while the user changes
-// it.
+// A session contains a spec that has been read and solved, and the results that a page shows while
+// the user changes the spec.
 //
 // Results are computed when they are requested. The solved pair and its contact are stored, because
 // several requests need them.
@@ -21,7 +21,6 @@
 
 namespace gearwright::web {
 
-/// Options of the figures of contact.
 struct ContactView {
   double width = 560.0;               ///< px, width of a figure
   int positions = 64;                 ///< number of positions per pitch
@@ -53,10 +52,10 @@ class Session : public std::enable_shared_from_this<Session> {
 
   const SolvedJob& job() const { return job_; }
   const SpecText& text() const { return text_; }
-  /// The number of gears, including a rack.
+  /// Returns the number of gears, including a rack.
   int gears() const { return job_.parts(); }
   bool has_pair() const { return job_.mounted(); }
-  /// One pitch of gear 1 in degrees; 0 for a drive.
+  /// Returns one pitch of gear 1 in degrees; 0 for a drive.
   double pitch_deg() const {
     return job_.gears.empty() ? 0.0 : 360.0 / std::abs(job_.gears.front().spec.teeth);
   }
@@ -64,7 +63,7 @@ class Session : public std::enable_shared_from_this<Session> {
   /// Sets the system of units of figures, rows, report and drawings. All other results are in mm.
   void show_in(UnitSystem units) { units_ = units; }
   UnitSystem units() const { return units_; }
-  /// A figure in the system of units that show_in() has set.
+  /// Returns a figure in the system of units that show_in() has set.
   Json drawn(Figure figure, double width) const;
 
   // engine.d.ts describes these functions. A text is JSON.
@@ -88,7 +87,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 
-  /// The transmission error over a pitch, rad, with two of the errors replaced by `values`.
+  /// Returns the transmission error over a pitch, rad, with two of the errors replaced by `values`.
   /// `keys` are the indices of these two errors in error_entries().
   Result<std::vector<double>> te_under(const std::array<std::size_t, 2>& keys,
                                        const std::array<double, 2>& values, int positions);
@@ -118,7 +117,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<ToothedBody> body(int gear) const;
   Result<Json> rack_figure(const MeshView& view) const;
   std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if there
-                                           // is no second gear or it is a rack
+                                           // is no second gear or if gear 2 is a rack
   std::vector<NamedCircle> circles(int gear) const;
 
   SpecText text_;

@@ -1,4 +1,4 @@
-// The files of a session. They have the same bytes as the files of the program.
+// Makes the files of a session, with the same bytes as the files of the program.
 #include <nlohmann/json.hpp>
 #include <optional>
 

@@ -1,5 +1,5 @@
-// Data of the engine for a page, as JSON trees. A row of numbers is stored as binary data in the
-// tree, from which the page makes a typed array.
+// Converts data of the engine to JSON trees for a page. A row of numbers is stored as binary data
+// in the tree, from which the page makes a typed array.
 //
 // Trees can be made and tested without a browser. bindings.cpp converts them to JavaScript values.
 // engine.d.ts describes the names and meanings of their members.
@@ -29,9 +29,9 @@ Json row(std::string_view bytes);
 
 Json shape(const FlankRaster& raster);
 Json shape(const TriangleMesh& mesh, double tolerance);
-/// A pose as a column-major 4×4 matrix, as three.js requires.
+/// Returns a pose as a column-major 4×4 matrix, as three.js requires.
 Json shape(const Eigen::Isometry3d& pose);
-/// A figure `width` px wide, with its caption as HTML and its data. Figures of gears in
+/// Returns a figure `width` px wide, with its caption as HTML and its data. Figures of gears in
 /// section have no caption.
 Json shape(const Figure& figure, double width);
 

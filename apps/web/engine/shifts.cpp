@@ -21,8 +21,8 @@ namespace gearwright::web {
 
 namespace {
 
-// The problem of a search with a single trial. Its limits come from [search] in the spec or are
-// defaults. If `swapped` is true, gear 2 has fewer teeth and is gear 1 of the search.
+// Returns the problem of a search with a single trial. Its limits come from [search] in the spec or
+// are defaults. If `swapped` is true, gear 2 has fewer teeth and is gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
@@ -83,15 +83,15 @@ struct Nearest {
   }
 };
 
-// The window given by the view, or `otherwise` if none is given. While the user drags the point,
-// the page requests the same window again.
+// Returns the window given by the view, or `otherwise` if none is given. While the user drags the
+// point, the page requests the same window again.
 Bounds window_of(const ShiftView& view, bool swapped, const Bounds& otherwise) {
   if (!view.window) return otherwise;
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   return {turned(view.window->lo), turned(view.window->hi)};
 }
 
-// The figure for a graph without a region. It shows the rectangle of the limits.
+// Returns the figure for a graph without a region. It shows the rectangle of the limits.
 Figure limits_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                      const ShiftView& view) {
   Bounds around;
@@ -104,7 +104,7 @@ Figure limits_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
   return swapped ? exchanged(f) : f;
 }
 
-// The figure without the point of the design. The page draws this point itself, because the
+// Returns the figure without the point of the design. The page draws this point itself, because the
 // user can drag it.
 Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                     const ShiftView& view) {
@@ -141,8 +141,8 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   const ShiftGraph graph = search.graph(search.space().trial(0));
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = swapped ? Vec2(point.y(), point.x()) : point;
-  // The least margin over all limits. Each limit has its own unit, so the code uses only the sign
-  // of the margin and whether the margin is nearly 0.
+  // The least margin over all limits. The limits have different units. Only the sign of the margin
+  // is therefore used, and whether the margin is nearly 0.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();

@@ -1,5 +1,6 @@
-// Computations in steps, between which a worker can handle messages: the contact pattern, the map
-// of the transmission error as a function of two errors, and teeth under load.
+// Long computations in steps. Between the steps, a worker can handle messages. The computations are
+// the contact pattern, the map of the transmission error as a function of two errors, and teeth
+// under load.
 #pragma once
 
 #include <array>
@@ -12,7 +13,7 @@
 
 namespace gearwright::web {
 
-/// The progress of a computation: `done` of `of` steps are complete.
+/// The progress of a computation, in which `done` of `of` steps are complete.
 struct Steps {
   std::int64_t done, of;
   bool finished;
@@ -29,11 +30,12 @@ class Work {
   Session& session() const { return *session_; }
   /// Works for about this number of milliseconds.
   virtual Result<Steps> step(double milliseconds) = 0;
-  /// The result so far, or null if there is none yet.
+  /// Returns the result so far, or null if there is none yet.
   virtual Json result() const = 0;
-  /// Figures of the result. Some types of work have none.
+  /// Returns figures of the result. Some types of work have none.
   virtual Result<Json> figures(int, double) const { return Json::array(); }
-  /// The rows of the tables of the result, a list for each torque. Most types of work have none.
+  /// Returns the rows of the tables of the result, a list for each torque. Most types of work have
+  /// none.
   virtual Result<Json> rows() const { return Json::array(); }
 
  private:
@@ -41,8 +43,8 @@ class Work {
 };
 using MadeWork = Result<std::shared_ptr<Work>>;
 
-/// The contact pattern, in rasters of increasing resolution. The first raster is available almost
-/// immediately.
+/// Returns the contact pattern, in rasters of increasing resolution. The first raster is available
+/// almost immediately.
 MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size);
 
 /// The range of an error on one axis of a map, in the unit of its key.
@@ -51,8 +53,8 @@ struct ErrorAxis {
   double from = 0.0, to = 0.0;
   int n = 2;
 };
-/// The peak-to-peak transmission error as a function of two errors. For each point of the map, the
-/// transmission error over one pitch is computed.
+/// Returns the peak-to-peak transmission error as a function of two errors. For each point of the
+/// map, the transmission error over one pitch is computed.
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
@@ -74,8 +76,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load. Each of the first two steps makes the compliance table of one gear, and
-/// these steps take longest. The following steps compute the positions.
+/// Computes teeth under load. Each of the first two steps makes the compliance table of one gear,
+/// and these steps take longest. The following steps compute the positions.
 /// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);

@@ -35,7 +35,6 @@ export interface Result {
   verdict?: { level: "green" | "amber" | "red"; headline: string } & Values;
 }
 
-/** An error in a spec. */
 export class SpecError extends Error {
   key: string;
   value: string;

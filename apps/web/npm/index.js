@@ -1,4 +1,5 @@
-// The engine for node programs: solve(spec), file(spec, kind), and the engine itself for interactive use.
+// Provides the engine for node programs as solve(spec) and file(spec, kind), and the engine itself for
+// interactive use.
 import { readFileSync } from "node:fs";
 import createEngine, { failed } from "./engine/engine.js";
 
@@ -8,7 +9,7 @@ export const engine = await createEngine({
 });
 export { failed };
 
-/** An error in a spec: the key, its value, and the message. */
+/** An error in a spec, with the key, its value, and the message. */
 export class SpecError extends Error {
   constructor({ key, value, message, line, column }) {
     super(message);

@@ -20,7 +20,6 @@ export function inputKey(table: string, key: string): InputKey | undefined {
   return inputs(table)?.keys.find((one) => one.key === key);
 }
 
-/** Rows of the table of known materials. */
 export function materials(): NamedMaterial[] {
   return whole.materials;
 }
@@ -45,9 +44,9 @@ const kResultsOf: Record<string, string[]> = {
 const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
 const kLongest = 44;
 
-/** The name of a key on the page. If the key sets a quantity, it is the name of this quantity. Otherwise
- *  it is the key in words, "normal module" for normal_module_mm. If these words are unclear, it is the
- *  meaning of the key. */
+/** Returns the name of a key on the page. If the key sets a quantity, it is the name of this quantity.
+ *  Otherwise it is the key in words, for example "normal module" for normal_module_mm. If these words are
+ *  unclear, it is the meaning of the key. */
 export function wordsOf(table: string, key: InputKey): string {
   const info = (kResultsOf[table] ?? [table])
     .map((name) => quantity(name, key.key))
@@ -70,7 +69,7 @@ export function wordsAt(table: string, name: string): string {
   return key ? wordsOf(table, key) : name.replaceAll("_", " ");
 }
 
-/** The range of a key as a sentence: "between 1 and 60, usually 14.5 to 30". */
+/** Returns the range of a key in words, for example "between 1 and 60, usually 14.5 to 30". */
 export function rangeOf(key: InputKey): string {
   const range = key.range;
   if (!range) return "";

@@ -15,7 +15,7 @@ function dress(element: Element, properties: Properties, children: Child[]): voi
   put(element, ...children);
 }
 
-/** Makes an element: h("button", {class: "plain", click: go}, "Open") */
+/** Makes an element, for example h("button", {class: "plain", click: go}, "Open"). */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   properties: Properties = {},
@@ -44,18 +44,17 @@ function put(element: Element, ...children: Child[]): void {
   }
 }
 
-/** Replaces the content of an element. */
 export function fill(element: Element, ...children: Child[]): void {
   element.replaceChildren();
   put(element, ...children);
 }
 
-/** A button with words. If they are too short to be clear, the property `title` explains them. */
+/** Returns a button with words. If the words are too short to be clear, the property `title` explains them. */
 export function button(words: string, click: () => void, properties: Properties = {}): HTMLButtonElement {
   return h("button", { type: "button", click, ...properties }, words);
 }
 
-/** A slider from `min` to `max` that calls `change` while it moves. */
+/** Returns a slider from `min` to `max` that calls `change` while it moves. */
 export function slider(
   name: string,
   range: { min: number; max: number; step: number; value?: number },
@@ -65,11 +64,11 @@ export function slider(
   input.addEventListener("input", () => change(Number(input.value)));
   return input;
 }
-/** A slider that belongs to a picture, with its name before it and its value after it. */
+/** Returns a slider that belongs to a picture, with its name before it and its value after it. */
 export function slide(words: string, of: HTMLInputElement, ...rest: Child[]): HTMLElement {
   return h("label", { class: "slide" }, h("span", {}, words), of, ...rest);
 }
-/** A check box followed by its label. */
+/** Returns a check box followed by its label. */
 export function check(words: string, box: HTMLInputElement): HTMLElement {
   return h("label", { class: "check" }, box, words);
 }
@@ -104,7 +103,7 @@ export class Choice {
   }
 }
 
-/** A panel that the button `opener` opens and closes. Escape or a click outside closes it, too. */
+/** Returns a panel that the button `opener` opens and closes. Escape or a click outside closes it, too. */
 export function foldOut(
   style: string,
   opener: HTMLButtonElement,
@@ -144,17 +143,16 @@ export function onKeys(
   });
 }
 
-/** A scrolling area that has a name for screen readers and can be scrolled with the keyboard. */
+/** Returns a scrolling area that has a name for screen readers and can be scrolled with the keyboard. */
 export function scroller(style: string, name: string, ...children: Child[]): HTMLDivElement {
   return h("div", { class: style, tabindex: "0", role: "region", "aria-label": name }, ...children);
 }
 
-/** A table with a row of headings. */
 export function tableOf(style: string, heads: Child[], ...rows: Child[]): HTMLTableElement {
   return h("table", { class: style }, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows));
 }
 
-/** A symbol of the catalogue, such as "d_a", "F_z/F_t" or "α_wn", as italic letters with subscripts. */
+/** Returns a symbol of the catalogue, such as "d_a", "F_z/F_t" or "α_wn", as italic letters with subscripts. */
 export function symbol(text: string): HTMLElement {
   const whole = h("span", { class: "symbol" });
   for (const part of text.split(/(_[\p{L}\p{N},]+|(?<=\p{L})\d|\*)/u)) {
@@ -169,7 +167,7 @@ export function symbol(text: string): HTMLElement {
   return whole;
 }
 
-/** A colour in the current colour scheme: colour("g1-fill"). */
+/** Returns a colour in the current colour scheme, for example colour("g1-fill"). */
 export function colour(name: string): string {
   return getComputedStyle(document.documentElement)
     .getPropertyValue("--" + name)
@@ -194,7 +192,6 @@ export function onNextFrame(paint: () => void): () => void {
   };
 }
 
-/** Returns the error as a sentence. */
 export function sentenceOf(reason: unknown): string {
   return reason instanceof Error ? reason.message : String(reason);
 }

@@ -85,7 +85,6 @@ export class EngineLink {
     this.worker = null;
   }
 
-  /** Sends a request and returns its answer. */
   async call<N extends Name>(
     name: N,
     question: Parameters<Questions[N]>[0],

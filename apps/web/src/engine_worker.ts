@@ -10,7 +10,7 @@ import type { Motion } from "./motion";
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type Fault = E.Failed["error"];
-/** The result for a spec: the output of the program with --json, or the reason why there is none. */
+/** The result for a spec. It is the output of the program with --json, or the reason why there is none. */
 export interface Solved {
   text: string;
   spec: { [key: string]: Json } | null; // the tree of the text; null if the text cannot be read
@@ -23,7 +23,7 @@ export interface Solved {
   hasPair: boolean;
   milliseconds: number;
 }
-/** Teeth under load: the tables of the result, and the data for the page. */
+/** The tables of teeth under load, and the data for the page. */
 export type Loaded =
   | { fault: Fault }
   | {
@@ -94,7 +94,7 @@ function treeOf(text: string): Solved["spec"] {
 /** The last result as text, and the unit of its rows. */
 let printed: { text: string; unit: "mm" | "in"; number: number } = { text: "", unit, number: 0 };
 
-/** The verb whose result the page shows for any spec. */
+/** Returns the verb whose result the page shows for any spec. */
 const verbOf = (s: E.Session): E.Verb => (s.hasPair ? "pair" : s.gears ? "gear" : "drive");
 
 /** Solves a spec. `known` is the number of the result that the page has. If the new result is the
@@ -147,7 +147,6 @@ async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): P
     if (!(await step(state.done, state.of, sofar?.()))) return null;
   }
 }
-/** Runs work until it is finished, and deletes it. */
 async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | null> {
   const task = good(begun);
   try {
@@ -172,7 +171,7 @@ async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (ta
   return result;
 }
 
-/** The rows of the last load for each torque. */
+/** Returns the rows of the last load for each torque. */
 function loadRows(): E.Row[][] {
   open?.session.showIn(unit);
   return drawn ? good(drawn.rows()) : [];
@@ -203,7 +202,7 @@ const questions = {
     return solve(text, q.known);
   },
   meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
-  /** Poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
+  /** Returns poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
     const { pitchDeg } = s;
@@ -222,8 +221,8 @@ const questions = {
   driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
   driveFigures: (q: { text: string; width: number }) => good(session(q.text).driveFigures(q.width)),
   driveLoadFigures: (q: { text: string; width: number }) => good(session(q.text).driveLoadFigures(q.width)),
-  /** The contact over one pitch with its figures. The time in the answer is the time of the contact
-   *  analysis without the figures. */
+  /** Returns the contact over one pitch with its figures. The time in the answer is the time of the contact analysis
+   *  without the figures. */
   contact(q: { text: string; view: E.ContactView }) {
     const curve = timed(() => good(session(q.text).contactCurve(q.view.positions)));
     return { curve, figures: good(session(q.text).contactFigures(q.view)) };
@@ -260,7 +259,6 @@ const questions = {
   scatterSketch: (q: { text: string; width: number }) => timed(() => good(session(q.text).scatterSketch(q.width))),
   scatter: (q: { text: string; width: number }) => timed(() => good(session(q.text).scatter(q.width))),
   shifts: (q: { text: string; view: E.ShiftView }) => good(session(q.text).shiftRegion(q.view)),
-  /** Runs any verb and returns its parsed JSON. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
   /** Runs a verb on a spec that can be solved. Returns its parsed JSON and its rows. */

@@ -8,7 +8,7 @@ import style from "../../../gearwright/figure/figure_style.css?inline";
 import { button, download, fill, h, svg } from "./elements";
 import { bench } from "./workbench";
 
-/** An axis of a plot. The value `lo` is at the position `from`, and `hi` at `to`, px. */
+/** Returns an axis of a plot. The value `lo` is at the position `from`, and `hi` at `to`, px. */
 export function axisOf(plot: Element, name: "x" | "y") {
   const [lo, hi, from, to] = plot.getAttribute(`data-${name}`)!.split(" ").map(Number) as [number, number, number, number];
   return {
@@ -89,12 +89,11 @@ export class FigureSlot {
     this.turn?.(t, true);
   }
 
-  /** The group that contains the marks. */
   get plot(): SVGGElement | null {
     return this.picture.querySelector("g.plot");
   }
 
-  /** The values at the pointer. If the pointer is outside the plot, returns null unless `beyond` is true. */
+  /** Returns the values at the pointer. If the pointer is outside the plot, returns null unless `beyond` is true. */
   valuesAt(event: MouseEvent, beyond = false): { at: [number, number]; pitch: number } | null {
     const picture = this.picture.querySelector("svg");
     const plot = picture?.querySelector("g.plot");
@@ -106,7 +105,7 @@ export class FigureSlot {
     return { at: [across.value(x), up.value(y)], pitch: Number(plot.getAttribute("data-pitch")) };
   }
 
-  /** The visible picture as XML. */
+  /** Returns the visible picture as XML. */
   private xml(style = ""): string {
     const picture = this.picture.querySelector("svg")!.cloneNode(true) as SVGElement;
     if (style) picture.prepend(svg("style", {}, style));

@@ -37,7 +37,7 @@ class Judgement {
     this.answers.set(part, { verdict, error, text });
     for (const listener of this.listeners) listener();
   }
-  /** The verdict on a part, if it belongs to the spec on screen, otherwise null. */
+  /** Returns the verdict on a part, if it belongs to the spec on screen, otherwise null. */
   private of(part: Part): Judged | null {
     const last = this.answers.get(part);
     return last?.text === bench.text ? last : null;
@@ -54,7 +54,6 @@ class Judgement {
     return kParts.filter(wanted);
   }
 
-  /** The parts that are still pending. */
   get pending(): Part[] {
     return this.wanted.filter((part) => !this.of(part));
   }

@@ -1,4 +1,4 @@
-// The starts from a few known numbers. Each makes a spec from the values of its fields.
+// The starts from a few known numbers. Each start makes a spec from the values of its fields.
 
 interface Blank {
   name: string;

@@ -1,5 +1,5 @@
-// Starts the page: loads the engine, reads the catalogue, and shows the design that the address contains. If
-// the address contains none, shows the start screen.
+// Starts the page. The engine is loaded, the catalogue is read, and the design in the address is shown. If
+// the address contains no design, the start screen is shown.
 
 import "../../../gearwright/figure/figure_style.css";
 import "../../../gearwright/figure/figure_script.js";

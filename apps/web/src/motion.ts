@@ -1,6 +1,6 @@
-// Positions of the gears while they turn. The engine computes exact poses over one pitch of gear 1,
-// and the page interpolates between these poses. After one pitch, the next tooth takes the place of
-// the previous one.
+// Computes positions of the gears while they turn. The engine computes exact poses over one pitch of gear 1,
+// and the page interpolates between these poses. After one pitch, the next tooth takes the place of the
+// previous one.
 //
 //   t   rotation of gear 1 in its pitches, −½ … ½
 
@@ -13,16 +13,16 @@ export interface Motion {
   curve: ContactCurve | null;
 }
 
-/** The angle about its own z axis by which pose `a` must be turned to give pose `b`. The angle
- *  follows from the first two columns of both poses. */
+/** Returns the angle about its own z axis by which pose `a` must be turned to give pose `b`. The angle follows from
+ *  the first two columns of both poses. */
 function turnBetween(a: ArrayLike<number>, b: ArrayLike<number>): number {
   const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
   const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;
   return Math.atan2(sin, cos);
 }
 
-/** A pose between two poses of the engine, as 16 numbers. The rotation is interpolated as an angle, and
- *  all other numbers linearly. */
+/** Returns a pose between two poses of the engine, as 16 numbers. The rotation is interpolated as an angle, and all
+ *  other numbers linearly. */
 export function poseAt(motion: Motion, gear: number, t: number): number[] {
   const all = motion.places[gear]!;
   const at = Math.min(Math.max((t + 0.5) * (motion.n - 1), 0), motion.n - 1);
@@ -42,12 +42,12 @@ export function poseAt(motion: Motion, gear: number, t: number): number[] {
   return pose;
 }
 
-/** The rotation of a gear about its own axis from the pose at t = −½, rad. */
+/** Returns the rotation of a gear about its own axis from the pose at t = −½, rad. */
 export function turnAt(motion: Motion, gear: number, t: number): number {
   return turnBetween(motion.places[gear]!, poseAt(motion, gear, t));
 }
 
-/** The contact point at the position nearest to t, or null if no teeth touch. */
+/** Returns the contact point at the position nearest to t, or null if no teeth touch. */
 export function touchAt(motion: Motion, t: number): { x: number; y: number; z: number } | null {
   const points = motion.curve?.columns["point_mm"];
   if (!motion.curve || !(points instanceof Float64Array)) return null;

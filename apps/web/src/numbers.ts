@@ -31,7 +31,7 @@ const unitOf = (of: Dimension) => (typeof of === "string" ? of : of.unit);
 const inInch = (of: Dimension) =>
   inches && (typeof of === "string" || !kModules.test(of.key)) ? kInch[unitOf(of)] : undefined;
 
-/** The unit shown with a value. */
+/** Returns the unit shown with a value. */
 export function shownUnit(of: Dimension): string {
   return inInch(of)?.[0] ?? unitOf(of);
 }
@@ -43,11 +43,11 @@ export function fromShown(value: number, of: Dimension): number {
   const size = inInch(of)?.[1];
   return size === undefined ? value : clean(value * size);
 }
-/** A value without its unit. `digits` is the number of decimals in the unit of the catalogue. */
+/** Returns a value without its unit. `digits` is the number of decimals in the unit of the catalogue. */
 export function shownText(value: number, of: Dimension, digits: number): string {
   return fixed(toShown(value, of), Math.max(0, digits + (inInch(of)?.[2] ?? 0)));
 }
-/** A value with its unit and a true minus sign. */
+/** Returns a value with its unit and a true minus sign. */
 export function amount(value: number, of: Dimension, digits: number): string {
   const unit = shownUnit(of);
   return shownText(value, of, digits).replace("-", "−") + (unit === "°" ? "" : " ") + unit;
@@ -57,7 +57,7 @@ function clean(value: number): number {
   return Number(value.toPrecision(14));
 }
 
-/** The number with a fixed number of decimals. If it is rounded to zero, it has no sign. */
+/** Returns the number with a fixed number of decimals. If it is rounded to zero, it has no sign. */
 export function fixed(value: number, digits: number): string {
   if (!Number.isFinite(value)) return "–";
   if (Math.abs(value) >= 1e15) return value.toExponential(6);
@@ -65,17 +65,17 @@ export function fixed(value: number, digits: number): string {
   return /^-[0.]+$/.test(text) ? text.slice(1) : text;
 }
 
-/** A length that is not in the catalogue, such as a coordinate in the housing frame, with its unit. */
+/** Returns a length that is not in the catalogue, such as a coordinate in the housing frame, with its unit. */
 export function length(mm: number, digits = 3): string {
   return amount(mm, "mm", digits);
 }
 
-/** A number in a field, as the shortest text from which the same number is read. */
+/** Returns a number in a field, as the shortest text from which the same number is read. */
 export function short(value: number): string {
   return String(clean(value));
 }
 
-/** A value of a result as text for users, without its unit. */
+/** Returns a value of a result as text for users, without its unit. */
 export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (value === null || value === undefined) return quantity.nothing || "–";
   if (typeof value === "boolean") return value ? "yes" : "no";
@@ -95,7 +95,7 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   return shownText(value, quantity, quantity.digits);
 }
 
-/** A step of 1, 2 or 5 times a power of ten, near `size`/`parts`. */
+/** Returns a step of 1, 2 or 5 times a power of ten, near `size`/`parts`. */
 export function niceStep(size: number, parts = 100): number {
   const raw = Math.abs(size) / parts || 0.01;
   const ten = 10 ** Math.floor(Math.log10(raw));

@@ -130,7 +130,7 @@ export class Page {
     const share = this.shares[tab] ?? 0.34;
     this.main.style.setProperty("--numbers", share > kFolded ? `${(100 * share).toFixed(1)}%` : "43px");
   }
-  /** The divider between picture and numbers. The user drags it or moves it with the arrow keys. */
+  /** Returns the divider between picture and numbers. The user drags it or moves it with the arrow keys. */
   private divider(): HTMLElement {
     const now = () => this.shares[this.tabs.current.id] ?? 0.34;
     const set = (share: number) => {
@@ -156,7 +156,7 @@ export class Page {
     return line;
   }
 
-  /** The buttons that choose one of the three parts on a narrow screen. */
+  /** Returns the buttons that choose one of the three parts on a narrow screen. */
   private parts(): HTMLElement {
     const parts = { spec: "Spec", view: "Pictures", numbers: "Numbers" };
     const show = (part: string) => {

@@ -39,7 +39,8 @@ export abstract class Requested {
   /** Returns the sentence beside the button, and the list of the answer, if it has one. */
   protected abstract read(answer: Json): { sentence: string; list?: HTMLElement | undefined };
 
-  /** A button that replaces the design by `spec`, which the history of the design calls `name`. */
+  /** Returns a button that replaces the design by `spec`. `name` is the name of this change in the history of
+   *  the design. */
   protected takeButton(spec: Json, name: string, label: string): HTMLButtonElement {
     const take = async () => bench.setText(await bench.front.call("tomlOf", { json: JSON.stringify(spec) }), name);
     return button("Take", () => void take(), { class: "main", "aria-label": label });

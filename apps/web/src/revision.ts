@@ -1,8 +1,7 @@
-// Each picture stores the revision of the spec that it shows. If this revision differs from that of
-// the spec on screen, the picture is dimmed. A spinner is shown while the next picture is being
-// made.
+// Each picture stores the revision of the spec that it shows. If this revision differs from the revision of
+// the spec on screen, the picture is dimmed. A spinner is shown while the next picture is being made.
 
-/** A hash of the text (32-bit FNV-1a) in hexadecimal digits, or "" if there is no text. */
+/** Returns a hash of the text (32-bit FNV-1a) in hexadecimal digits, or "" if there is no text. */
 export function revisionOf(text: string): string {
   if (!text) return "";
   let hash = 0x811c9dc5;

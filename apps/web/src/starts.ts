@@ -35,7 +35,6 @@ function exampleOf([path, text]: [string, string]): Example {
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
 export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
-/** Matches a spec of a drive. */
 const kDrive = /^\[+(planetary|stage|drive)\b/m;
 /** The view for the small picture of a card: the whole gears in section, without labels. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
@@ -175,7 +174,7 @@ export class Starts {
         const figure = kDrive.test(text)
           ? (await bench.back.call("driveFigures", { text, width: kCard.width }))[0]!
           : await bench.back.call("meshFigure", { text, view });
-        // All schemes have the same id, and an id is unique in the page.
+        // All schemes have the same id, but an id must be unique in the page.
         picture.innerHTML = figure.html.replaceAll(new RegExp(`\\b${figure.id}(?=["-])`, "g"), example.name);
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
         picture.querySelector("figcaption")?.remove();

@@ -24,9 +24,9 @@ export interface Tab {
   readonly ofDrives?: boolean | "only";
   /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
-  /** Called when the unit of lengths has changed, before the next refresh(). By default, the picture is made again. */
+  /** It is called when the unit of lengths has changed, before the next refresh(). By default, the picture is
+   *  made again. */
   inUnits?(): void;
-  /** Called when the user leaves the tab. */
   leave?(): void;
 }
 
@@ -42,12 +42,11 @@ export class Tabs {
   );
   private readonly kept = h("p", { class: "kept", role: "status" });
   current: Tab;
-  /** Called with the id of a tab when it is opened. */
+  /** This function is called with the id of each tab that is opened. */
   opened: (id: string) => void = () => undefined;
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
   private rest = 0;
-  /** True if the last solved spec is a drive. */
   private ofDrive = false;
 
   constructor(readonly tabs: Tab[]) {

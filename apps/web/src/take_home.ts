@@ -1,4 +1,4 @@
-// Downloads of files. The engine makes them with the same code as the program.
+// Offers files as downloads. The engine makes them with the same code as the program.
 
 import type { FileKind } from "../engine/engine";
 import { button, download, fill, foldOut, h, sentenceOf } from "./elements";
@@ -21,11 +21,10 @@ const kOffers: Offer[] = [
   { kind: "dxf", words: "DXF", what: "transverse section as arcs", gears: [1, 2] },
   { kind: "svg", words: "SVG", what: "transverse section as a picture", gears: [1, 2] },
 ];
-/** The files of a drive. */
 const kOfDrives: FileKind[] = ["report", "json", "step", "3mf", "glb"];
 const kEndings: Partial<Record<FileKind, string>> = { report: "html", drawing: "pdf" };
 
-/** A file name made from the title. Letters and digits of any script are kept. Other characters become _. */
+/** Returns a file name made from the title. Letters and digits of any script are kept. Other characters become _. */
 export function fileName(): string {
   const title = bench.good?.spec?.["title"];
   const name =

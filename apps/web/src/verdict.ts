@@ -13,7 +13,6 @@ const kFinders = {
   fit: "Some values of this spec are unknown. The tab “search” computes them.",
   identify: "This spec contains measurements of an unknown gear. The tab “search” lists the gears that fit them.",
 };
-/** The words of the badge. */
 const kBadges: Record<string, string> = { green: "Runs", amber: "Check", red: "Does not run" };
 
 export class VerdictLine {
@@ -98,7 +97,7 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** The messages of a result: its findings, and the warnings that are not findings. */
+/** Returns the messages of a result. They are its findings, and the warnings that are not findings. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

@@ -1,4 +1,4 @@
-// The design on screen: its text, its results and its history.
+// Keeps the text, the results and the history of the design on screen.
 //
 // The text defines the design. Form, pictures and tables show the design. A change is sent to the
 // engine, which returns the new text (with its comments) and the new results. Then all views are
@@ -84,7 +84,6 @@ class Workbench {
   setKey(key: string, value: Json | undefined): void {
     this.setKeys({ [key]: value });
   }
-  /** Sets several keys in one step. */
   setKeys(values: Record<string, Json | undefined>): void {
     for (const [key, value] of Object.entries(values))
       this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
@@ -174,7 +173,6 @@ class Workbench {
     return fault.finder ?? (spec["fit"] !== undefined ? "fit" : undefined);
   }
 
-  /** The error of the text on screen. */
   get fault(): Fault | null {
     return this.finder ? null : (this.solved?.fault ?? null);
   }
@@ -221,17 +219,15 @@ function faulty(text: string, message: string): Solved {
 
 export const bench = new Workbench();
 
-/** True if the design on screen is a drive. */
 export function isDrive(): boolean {
   return at(bench.good?.result ?? undefined, "drive") !== undefined;
 }
 
-/** True if gear 2 of a spec is a rack. */
 export function hasRack(spec: Json | null | undefined): boolean {
   return at(spec ?? undefined, "gear2.form") === "rack";
 }
 
-/** The value at a path of nested records: at(result, "pair.backlash.normal_mm"). */
+/** Returns the value at a path of nested records: at(result, "pair.backlash.normal_mm"). */
 export function at(tree: Json | undefined, path: string): Json | undefined {
   let here: Json | undefined = tree;
   for (const name of path.split(".")) {

@@ -1,5 +1,6 @@
-// Tests the tabs "drive" and "solid" of drives: scheme and power flow; all bodies in their colours, which turn, and the
-// choice of the bodies that are held, drive and are driven. Numbers are compared with the native program.
+// Tests the tabs "drive" and "solid" of drives: scheme, power flow, the colours and the rotation of all
+// bodies, and the choice of the held, driving and driven bodies. Numbers are compared with the native
+// program.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

@@ -27,7 +27,7 @@ center_distance_in = 0.002
 torque_Nm = 100
 accuracy = "draft"
 `;
-/** The words of both axes of each figure in a tab. */
+/** Returns the words of both axes of each figure in a tab. */
 const axesOf = (tab) =>
   page.$$eval(`#room-${tab} svg.zoom`, (all) =>
     all.map((one) => [...one.querySelectorAll("text.panel, text.tick.m")].map((text) => text.textContent).join(" | ")),

@@ -11,7 +11,7 @@ withPage((stage) => ({ page } = stage));
 const figures = (room) =>
   page.evaluate((room) => [...document.querySelectorAll(`#room-${room} .figure-slot:not([hidden]) svg[id]`)].map((one) => one.id), room);
 const sentence = (room) => page.textContent(`#room-${room} .view-sentence`);
-/** The greatest and the least value of the first curve of a figure of the tab contact. */
+/** Returns the greatest and the least value of the first curve of a figure of the tab contact. */
 const span = (id) =>
   page.evaluate((id) => /peak to peak ([\d.]+)/.exec(document.querySelector(`#room-contact #${id}`).textContent)?.[1], id);
 

@@ -215,7 +215,7 @@ describe("form and link", () => {
 
 describe("the verdict", () => {
   const levels = ["green", "amber", "red"];
-  /** The worst of the verdicts that the program computes for the parts of the spec. */
+  /** Returns the worst of the verdicts that the program computes for the parts of the spec. */
   const expected = (text) => {
     const pair = native("pair", text);
     const asks = (part) =>

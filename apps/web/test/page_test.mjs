@@ -72,7 +72,8 @@ describe("numbers", () => {
       }
   });
 
-  /** The rows of a table, and of a listing of the program, as words without blanks and without marks of indices. */
+  /** Returns the rows of a table, and of a listing of the program, as words without blanks and without marks of
+   *  indices. */
   const plain = (text) => text.replace(/[\s_]/g, "").replaceAll("–", "-");
   const listed = (verb, name) =>
     execFileSync(program, [verb, join(root, "examples", `${name}.toml`)], { encoding: "utf8" })

@@ -27,7 +27,8 @@ describe("scatter", () => {
       },
       [place, value, events],
     );
-  /** The highest percentile that the program computes for the number of pairs on the page, in 8 replicates. */
+  /** Returns the highest percentile that the program computes for the number of pairs on the page, in 8
+   *  replicates. */
   const percentile = async (text) => {
     const pairs = Number.parseInt(await page.textContent("#room-scatter .scatter-state"));
     const same = text.replace("samples = 256", `samples = ${pairs / 8}`);

@@ -119,7 +119,7 @@ export function example(name) {
   return examples.find((one) => one.name === name).text;
 }
 
-/** The output of the native program with --json, which may be an error. */
+/** Returns the output of the native program with --json, which may be an error. */
 export function native(verb, text) {
   try {
     return JSON.parse(

@@ -9,8 +9,7 @@
 
 namespace gearwright::testing {
 
-/// Returns the distance from q to the arc, mm. The nearest of 400 samples is refined by ternary
-/// search.
+/// Returns the distance from q to the arc, mm. Ternary search refines the nearest of 400 samples.
 inline double distance_to_arc(const Arc& arc, const Vec2& q) {
   constexpr int kSteps = 400;
   const auto distance = [&](double u) { return (arc.point(u) - q).norm(); };

@@ -11,8 +11,7 @@
 //   herringbone_ring  36 teeth, an internal gear with a gap
 //   rack_bar        rack of module 2 and width 20 mm; the back is 12 mm below the datum line
 //
-// If a gear was cut by another gear, both mesh without backlash at the centre distance E given
-// below.
+// A gear and the gear that cut it mesh without backlash at the centre distance E given below.
 #pragma once
 
 #include <optional>

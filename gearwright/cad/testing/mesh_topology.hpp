@@ -1,4 +1,4 @@
-// The topology of a triangle mesh, for tests of the CAD files.
+// Determines the topology of a triangle mesh, for tests of the CAD files.
 #pragma once
 
 #include <algorithm>

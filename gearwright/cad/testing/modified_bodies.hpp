@@ -1,4 +1,5 @@
-// Gears with flank modifications, and the law that their flanks obey, for tests of the CAD files.
+// Makes gears with flank modifications, and defines the law that their flanks obey, for tests of
+// the CAD files.
 //
 //   L, ξ    roll length r_b ξ of an involute, mm, and roll angle       d   distance of a point from
 //   c       material removed along the normal, mm                          the nominal flank, mm
@@ -61,8 +62,8 @@ inline Gear internal(double beta_deg) {
   return std::move(gear).take();
 }
 
-/// All modifications at once, with `size` times their usual amounts. The two flanks have different
-/// modifications.
+/// Returns all modifications at once, with `size` times their usual amounts. The two flanks have
+/// different modifications.
 inline BothFlanks everything(const Gear& gear, double size) {
   const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
   FlankModifications right;
@@ -93,7 +94,7 @@ inline std::vector<ModifiedGear> modified_gears(double size) {
   return all;
 }
 
-/// A double-helical gear with all modifications. `half` is its half at z > 0.
+/// Returns a double-helical gear with all modifications. `half` is its half at z > 0.
 inline ModifiedGear modified_halves(std::string name, Gear half, double gap, double stagger = 0.0,
                                     std::optional<Bore> bore = {}) {
   BothFlanks flanks = everything(half, 3.0);

@@ -1,5 +1,6 @@
-// Extreme outlines for tests of the CAD files: undercut teeth, one or two teeth, internal gears.
-// They are derived from the geometry of a sharp-cornered rack, without the code of generation/.
+// Makes extreme outlines for tests of the CAD files. They have undercut teeth, one or two teeth, or
+// the teeth of internal gears. They are derived from the geometry of a sharp-cornered rack, without
+// the code of generation/.
 //
 //   m   module, mm     r = |z|m/2, r_b = r cos 20°     c   corner depth below the pitch line, mm
 //   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°
@@ -54,8 +55,8 @@ inline double flank_angle(int z, double r_b, double rho) {
   return kPi / (2 * z) + std::tan(kAlpha20) - kAlpha20 - (xi - std::atan(xi));
 }
 
-/// An undercut tooth: root circle, trochoid of the corner, involute from their intersection, tip
-/// circle.
+/// Returns an undercut tooth. It consists of the root circle, the trochoid of the corner, the
+/// involute from its intersection with the trochoid, and the tip circle.
 /// Domain    small z, so that the intersection lies between the base circle and the tip
 inline ToothedBody undercut_body(int z, double m, double depth, double height, double twist,
                                  double width) {

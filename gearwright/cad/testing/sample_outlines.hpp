@@ -1,5 +1,5 @@
-// Outlines for tests of the CAD files. The teeth are cut by a rack. Three formulas give them,
-// without the code of generation/.
+// Outlines of teeth that are cut by a rack, for tests of the CAD files. The outlines are computed
+// by the formulas below, without the code of generation/.
 //
 //   z      teeth          m, α   transverse module, mm, and pressure angle, rad     r = mz/2
 //   h_a, h_f, ρ           addendum, dedendum and tip radius of the cutter, in modules
@@ -173,8 +173,8 @@ inline ToothedBody sample_body(const SampleGear& g) {
   return body;
 }
 
-/// Makes the simplest outline: lands joined by a straight flank. It also represents internal gears
-/// (teeth < 0, root > tip).
+/// Makes the simplest outline, in which straight flanks join the lands. It also represents internal
+/// gears (teeth < 0, root > tip).
 inline ToothedBody plain_body(int teeth, double r_root, double root_angle, double r_tip,
                               double tip_angle, double face_width = 10.0, double twist = 0.0) {
   ToothedBody body{"plain", {teeth, {}}, twist, face_width, std::nullopt, {}};
@@ -188,7 +188,7 @@ inline ToothedBody plain_body(int teeth, double r_root, double root_angle, doubl
   return body;
 }
 
-/// Area of plain_body's outline: circle sectors and triangles.
+/// Returns the area of plain_body's outline, which consists of circle sectors and triangles.
 inline double plain_area(int teeth, double r_root, double root_angle, double r_tip,
                          double tip_angle) {
   const int z = std::abs(teeth);

@@ -1,5 +1,5 @@
-// Solids with several gears, and the volume of every kind of solid of gears, for tests of the CAD
-// files.
+// Makes solids with several gears, and computes the volume of every kind of solid, for tests of the
+// CAD files.
 #pragma once
 
 #include <cmath>
@@ -26,8 +26,8 @@ inline ToothedBody stacked(ToothedBody body, ToothedBody upper, double gap, doub
   return body;
 }
 
-/// The metal area times the face width. In a groove or a neck, the metal area is the ring around
-/// the bore.
+/// Returns the metal area times the face width. In a groove or a neck, the metal area is the ring
+/// around the bore.
 inline double exact_volume(const ToothedBody& body) {
   const double hole = body.bore ? bore_area(*body.bore) : 0.0;
   const auto ring = [&](double radius) { return std::abs(kPi * radius * radius - hole); };

@@ -1,4 +1,4 @@
-// The answer of a verb to the tree of a spec, for the tests of job/.
+// Computes the answer of a verb for the tree of a spec, for the tests of job/.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -50,7 +50,8 @@ inline ContactMount mount_of(const InvolutePair& pair, const ContactErrors& erro
   return {pair.center_distance, pair.axis_angle(), false, errors};
 }
 
-/// A pair 17/43. Its axes are crossed by 0.02°, so that an edge is in contact at all positions.
+/// Returns a pair 17/43. Its axes are crossed by 0.02°, so that an edge is in contact at all
+/// positions.
 inline ContactSample helical_contact() {
   const InvolutePair pair = helical_pair();
   ContactErrors errors;
@@ -75,7 +76,7 @@ inline ContactSample ring_contact(bool gear2_drives = false) {
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
 }
 
-/// A pair without errors. Its flanks are conjugate and touch along lines.
+/// Returns a pair without errors. Its flanks are conjugate and touch along lines.
 inline ContactSample perfect_contact() {
   const InvolutePair pair = helical_pair();
   ContactSample s = contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair));

@@ -36,12 +36,13 @@ inline ParallelPair sample_pair(Gear gear_1, Gear gear_2, double center_distance
   return std::move(pair).take();
 }
 
-/// An ordinary helical pair with backlash: 17/43, m_n 2.5, ±15°, x 0.3 and 0.1.
+/// Returns an ordinary helical pair with backlash: 17/43, m_n 2.5, ±15°, x 0.3 and 0.1.
 inline ParallelPair helical_pair() {
   return sample_pair(sample_gear(17, 2.5, 15, 0.3, 0.0, -0.06), sample_gear(43, 2.5, -15, 0.1),
                      78.6056);
 }
-/// A pair 8/25 with undercut, contact beyond the base tangent point, and a contact ratio below 1.
+/// Returns a pair 8/25 with undercut, contact beyond the base tangent point, and a contact ratio
+/// below 1.
 inline ParallelPair undercut_pair() {
   return sample_pair(sample_gear(8, 2, 0, 0), sample_gear(25, 2, 0, 0), 33);
 }
@@ -49,7 +50,7 @@ inline ParallelPair internal_pair() {
   return sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.2), 42);
 }
 
-/// A gear with two teeth and circular root and tip fillets, from table 1 of the paper in
+/// Returns a gear with two teeth and circular root and tip fillets, from table 1 of the paper in
 /// docs/theory/06-few-teeth.md.
 inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
   CylindricalSpec spec = testing::plain_spec(
@@ -69,7 +70,7 @@ inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_wi
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
 }
-/// The pair 2/60 of the same table. Gear 2 is cut by gear 1, and the pair is mounted at the
+/// Returns the pair 2/60 of the same table. Gear 2 is cut by gear 1, and the pair is mounted at the
 /// generating distance.
 inline ParallelPair two_and_sixty(double face_width = 17.5) {
   Gear pinion = two_teeth(face_width);
@@ -77,8 +78,8 @@ inline ParallelPair two_and_sixty(double face_width = 17.5) {
   const double distance = wheel.cut_by->distance;
   return sample_pair(std::move(pinion), std::move(wheel), distance);
 }
-/// A pinion with 18 teeth in an internal gear with 60 teeth, which was cut by a cutter with 20
-/// teeth. The centre distance differs from the backlash-free centre distance by only 0.05 mm.
+/// Returns a pinion with 18 teeth in an internal gear with 60 teeth, which was cut by a cutter with
+/// 20 teeth. The centre distance differs from the backlash-free centre distance by only 0.05 mm.
 inline ParallelPair pinion_in_cut_ring() {
   CylindricalSpec cutter = testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20});
   cutter.straight_rack().addendum = 1.25;
@@ -105,7 +106,7 @@ inline Gear gear_as_itself(int teeth, double base_diameter, double base_thicknes
   return std::move(gear).take();
 }
 
-/// Two gears mounted at a shaft angle. The centre distance exceeds the backlash-free centre
+/// Returns two gears mounted at a shaft angle. The centre distance exceeds the backlash-free centre
 /// distance by `more`.
 inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg,
                                        double more = 0.0, std::optional<double> friction = {}) {
@@ -118,33 +119,33 @@ inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_an
   return std::move(pair).take();
 }
 
-/// A pair 9/15 at 90°. The base diameters, thicknesses and helix angles are those of Mägi's example
-/// after Zeise.
+/// Returns a pair 9/15 at 90°. The base diameters, thicknesses and helix angles are those of Mägi's
+/// example after Zeise.
 inline CrossedPair crossed_pair() {
   return crossed_sample_pair(gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
                              gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24), 90, 0,
                              0.05);
 }
-/// Two left-hand gears with backlash.
+/// Returns two left-hand gears with backlash.
 inline CrossedPair left_hand_pair() {
   return crossed_sample_pair(sample_gear(12, 2, -40, 0.2), sample_gear(20, 2, -30, 0.1), -70, 0.3);
 }
 inline CrossedPair opposite_hand_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 35, 0), sample_gear(33, 2, -15, 0.1), 20);
 }
-/// A pair whose axes are half a degree from parallel, so the lines of action lie far outside the
-/// faces.
+/// Returns a pair whose axes are half a degree from parallel, so the lines of action lie far
+/// outside the faces.
 inline CrossedPair nearly_parallel_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 20.5, 0.2), sample_gear(33, 2, -20, 0), 0.5);
 }
-/// A worm with one tooth. Its friction is so high that the wheel cannot drive.
+/// Returns a worm with one tooth. Its friction is so high that the wheel cannot drive.
 inline CrossedPair worm_pair() {
   return crossed_sample_pair(sample_gear(1, 2, 80, 0), sample_gear(30, 2, 10, 0), 90, 0, 0.3);
 }
 inline CrossedPair spur_and_helical_pair() {
   return crossed_sample_pair(sample_gear(20, 2, 0, 0), sample_gear(30, 2, 30, 0.3), 30.4);
 }
-/// A pair whose gears are too far apart for contact.
+/// Returns a pair whose gears are too far apart for contact.
 inline CrossedPair crossed_apart() {
   return crossed_sample_pair(sample_gear(20, 2, 45, 0), sample_gear(30, 2, 45, 0), 90, 20);
 }
@@ -177,7 +178,7 @@ inline std::vector<Warning> warnings_of(const MountedGears& pair) {
   return warnings;
 }
 
-/// The report input that a job would pass.
+/// Returns the report input that a job would pass.
 template <std::derived_from<MountedGears> Kind>
 ReportInput report_input(const Kind& pair) {
   ReportInput input;

@@ -31,7 +31,8 @@ inline SearchSample search_sample(const SearchProblem& problem, std::size_t most
   return sample;
 }
 
-/// Ratio 2, centre distance 99 to 101 mm, shifts -0.6 to 1. There are 2754 trials and 56 designs.
+/// Returns a search with the target ratio 2, centre distances of 99 to 101 mm and shifts of −0.6
+/// to 1. It has 2754 trials and 56 designs.
 inline SearchProblem spur_problem() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -52,7 +53,7 @@ inline SearchSample exact_search() {
   return search_sample(p);
 }
 
-/// A search with three objectives, a narrow range of centre distances, and every limit given.
+/// Returns a search with three objectives, a narrow range of centre distances, and every limit.
 inline SearchSample pareto_search() {
   SearchProblem p = spur_problem();
   p.center_distance.reset();

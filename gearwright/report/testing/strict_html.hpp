@@ -1,5 +1,5 @@
-// A small strict reader of the HTML that report/ writes. It is stricter than HTML itself where this
-// makes the reader simpler, so every HTML reader interprets an accepted page in the same way.
+// Reads the HTML that report/ writes. The reader is stricter than HTML itself where this makes it
+// simpler, so every HTML reader interprets an accepted page in the same way.
 //
 //   Tags must balance, except void elements. Attributes must be double-quoted and unique in their
 //   element. In text, the characters '<', '>' and '&' may appear only as references. Ids must be

@@ -39,8 +39,8 @@ inline Campaign campaign(std::int64_t chunks, const std::string& contact_ratio =
   return {fingerprint(contact_ratio), chunks};
 }
 
-// The contents of chunk `k`, which every process can compute: bytes of all values, up to some
-// hundreds or none.
+// Returns the contents of chunk `k`, which every process can compute. They are bytes of all values,
+// up to some hundreds of bytes or none.
 inline std::string bytes_of(std::int64_t k, std::size_t length) {
   std::string bytes(length, '\0');
   for (std::size_t i = 0; i < length; ++i) {
@@ -114,7 +114,7 @@ class ChunkFolderTest : public ::testing::Test {
     if (!store) throw std::runtime_error(store.error().message());
     return std::move(store).take();
   }
-  // The message of a rejection, without its key and value, which must be the folder.
+  // Returns the message of a rejection, without its key and value, which must be the folder.
   std::string refusal(OpenAs as, const Campaign& campaign) const {
     const auto store = open(as, campaign);
     if (store) return "";
@@ -160,7 +160,7 @@ class ChunkFolderTest : public ::testing::Test {
     int status = 0;
     return ::waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
-  // The id of a child process that has ended. No running process has this id.
+  // Returns the id of a child process that has ended. No running process has this id.
   pid_t dead_process() const {
     const pid_t pid = child([] {});
     EXPECT_TRUE(went_well(pid));

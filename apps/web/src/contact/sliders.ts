@@ -75,7 +75,6 @@ export class ContactSliders {
     return slide.row;
   }
 
-  /** Sets the sliders to the values of the spec. */
   show(): void {
     const spec = bench.solved?.spec;
     if (!spec) return;

@@ -114,7 +114,7 @@ function isMaterial(key: InputKey, place: string): boolean {
   return key.key === "name" && place.endsWith(".material.name");
 }
 
-/** The options of a field for materials: the names, grouped by kind. */
+/** Returns the options of a field for materials, which are the names grouped by kind. */
 export function materialGroups(): HTMLElement[] {
   const groups = new Map<string, HTMLElement>();
   for (const { name, kind, note } of materials()) {

@@ -110,7 +110,7 @@ export class Form {
     return details;
   }
 
-  /** A button that adds a second gear, if the text has only one. */
+  /** Returns a button that adds a second gear, if the text has only one. */
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
     if (gears !== 1 || bench.finder || isDrive() || hasRack(bench.solved?.spec)) return null;

@@ -110,7 +110,7 @@ export class Offer {
   }
 }
 
-/** The number at the first of these places where the spec has one. */
+/** Returns the number at the first of these places where the spec has one. */
 function numberAt(places: string[]): number | null {
   for (const place of places) {
     const value = at(bench.good?.spec ?? null, place);
@@ -124,7 +124,7 @@ function numberAt(places: string[]): number | null {
  *  ordinary steel teeth. */
 const kUnitLoad = 20;
 
-/** The torque that the spec gives for another purpose, or a torque of 1, 2 or 5 times a power of ten that
+/** Returns the torque that the spec gives for another purpose, or a torque of 1, 2 or 5 times a power of ten that
  *  loads the teeth lightly. */
 export function firstTorque(): number {
   const given = numberAt(["load.torque_Nm", "rating.torque_Nm"]);
@@ -144,7 +144,7 @@ export function firstTorque(): number {
 export function firstSpeed(): number {
   return numberAt(["rating.speed_rpm", "pair.speed_rpm"]) ?? 1500;
 }
-/** The material that the spec gives for a gear. If there is none, returns `otherwise`. */
+/** Returns the material that the spec gives for a gear. If there is none, returns `otherwise`. */
 export function firstMaterial(otherwise: string): string {
   const names = ["gear1", "gear2"].map((gear) => at(bench.good?.spec ?? null, `${gear}.material.name`));
   return (names.find((name) => typeof name === "string") as string | undefined) ?? otherwise;

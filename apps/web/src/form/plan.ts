@@ -58,12 +58,12 @@ const kTitles: Record<string, string> = {
   scatter: "Scatter of tolerances",
 };
 
-/** The title of a section: the entry of kTitles, or the name of the table with a capital letter. */
+/** Returns the title of a section. It is the entry of kTitles, or the name of the table with a capital letter. */
 function titleOf(name: string): string {
   return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-/** The name of the table for a key. The table of a rack depends on the kind of the rack. */
+/** Returns the name of the table for a key. The table of a rack depends on the kind of the rack. */
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");
@@ -117,7 +117,6 @@ function firstOf(spec: Json, places: string[], key: InputKey): Json | undefined 
   return undefined;
 }
 
-/** The whole form for a spec. */
 export function planOf(spec: Json): Section[] {
   const searching = at(spec, "search") !== undefined;
   const rack = hasRack(spec);

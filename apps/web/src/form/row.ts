@@ -16,16 +16,17 @@ interface RowField {
   shown: string; // the value and the default that the field shows, as JSON
 }
 
-/** Digits of a limit in mm: 0.1 µm. */
+/** Number of decimals of a limit in mm, which gives 0.1 µm. */
 const kLimitDigits = 4;
-/** A value without zeros at its end. */
+/** Returns a value without zeros at its end. */
 function trimmed(value: number, key: InputKey, digits: number): string {
   return shownText(value, key, digits)
     .replace(/(\.\d*?)0+$/, "$1")
     .replace(/\.$/, "");
 }
 
-/** The value that applies if the key is absent: the value in the result, or the default of the catalogue. */
+/** Returns the value that applies if the key is absent. It is the value in the result, or the default of the
+ *  catalogue. */
 function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
   const result = bench.solved?.result ?? bench.good?.result ?? null;
@@ -54,7 +55,7 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** In a row with two fields, greatest number of letters of a word in a field, and of the label. */
+/** The greatest number of letters of a word in a field, and of the label, in a row with two fields. */
 const kNarrow = 8;
 const kShortLabel = 26;
 
@@ -64,7 +65,7 @@ function isWide(key: InputKey): boolean {
   return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);
 }
 
-/** The headings above the columns of fields, "gear 1" and "gear 2". */
+/** Returns the headings above the columns of fields, "gear 1" and "gear 2". */
 export function columnHeads(places: string[]): (HTMLElement | null)[] {
   return places.map((place) =>
     place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,

@@ -47,26 +47,27 @@ export class Proposals extends Requested {
   }
 }
 
-/** The text of a value with the keys of all records in alphabetical order. */
+/** Returns the text of a value with the keys of all records in alphabetical order. */
 function sortedText(value: Json): string {
   if (Array.isArray(value)) return `[${value.map(sortedText).join()}]`;
   if (value === null || typeof value !== "object") return JSON.stringify(value);
   const keys = Object.keys(value).sort();
   return `{${keys.map((key) => `${key}:${sortedText((value as JsonRecord)[key]!)}`).join()}}`;
 }
-/** The indices of the proposals with the same spec as proposal `i`; the order of keys is ignored. */
+/** Returns the indices of the proposals with the same spec as proposal `i`. The order of keys is ignored. */
 function sameAs(proposals: JsonRecord[], i: number): number[] {
   const specs = proposals.map((one) => sortedText(one["spec"]!));
   return proposals.map((_, k) => k).filter((k) => specs[k] === specs[i]);
 }
-/** ". Also 3, 4: long tip relief; helix crowning" */
+/** Returns, for example, ". Also 3, 4: long tip relief; helix crowning". */
 function alsoOf(proposals: JsonRecord[], same: number[]): string {
   const others = same.slice(1);
   if (!others.length) return "";
   const words = others.map((k) => proposals[k]!["words"]).join("; ");
   return `. Also ${others.map((k) => k + 1).join(", ")}: ${words}`;
 }
-/** "long tip relief, helix crowning. Gear 1: tip relief 12 µm from 79.123 mm. Gear 2: tip relief 11 µm from …" */
+/** Returns, for example, "long tip relief, helix crowning. Gear 1: tip relief 12 µm from 79.123 mm. Gear 2:
+ *  tip relief 11 µm from …". */
 function wordsOf(proposal: JsonRecord): string {
   const amounts = (proposal["gears"] as JsonRecord[]).map((gear, i) => gear["amounts"] && `Gear ${i + 1}: ${gear["amounts"]}`);
   return [proposal["words"], ...amounts].filter(Boolean).join(". ");

@@ -21,7 +21,7 @@ const kReach: Record<string, number> = { "°": 0.05, µm: 10, mm: 0.05 };
 /** Keys that have a single number instead of a range, with the least and the greatest permitted number. */
 const kSingle: Record<string, [number, number?]> = { radius_mm: [0.001], quality: [1, 11] };
 
-/** The tolerances in a spec, in the order of the catalogue. */
+/** Returns the tolerances in a spec, in the order of the catalogue. */
 function tolerancesOf(spec: Tree | null): Tolerance[] {
   const list: Tolerance[] = [];
   const add = (place: string, table: string, only?: string[]) => {
@@ -59,7 +59,6 @@ export class ToleranceSliders {
   /** `moved` is called with true while the user holds a slider, and with false when the user releases it. */
   constructor(private readonly moved: (moving: boolean) => void) {}
 
-  /** Shows the tolerances of the spec. */
   show(spec: Tree | null): void {
     const all = tolerancesOf(spec);
     const same =

@@ -1,10 +1,11 @@
-// Specs that the tab "search" makes: a search around the pair on screen, and the spec of an identified gear.
+// Makes the specs of the tab "search", which are a search around the pair on screen and the spec of an
+// identified gear.
 
 import type { Json } from "../engine_worker";
 import { at, bench } from "../workbench";
 import type { Design } from "./search_table";
 
-/** The spec of a search for designs that are similar to the pair on screen. */
+/** Returns the spec of a search for designs that are similar to the pair on screen. */
 export function around(): string {
   const pair = bench.good?.result?.["pair"];
   const gears = (bench.good?.result?.["gears"] ?? []) as unknown as {
@@ -29,12 +30,11 @@ objective = ["contact_ratio", "sliding"]
 `;
 }
 
-/** True if the spec contains readings of an unknown gear. */
 export function measured(spec: Json): boolean {
   return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
 }
-/** The spec of an identified gear. It contains the data of the candidate that a spec accepts, and the
- *  other keys of the old gear 1. */
+/** Returns the spec of an identified gear. It contains the data of the candidate that a spec accepts, and the other
+ *  keys of the old gear 1. */
 export function gearOf(candidate: Design): Json {
   const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
   const gear: Design = { ...old };

@@ -21,20 +21,18 @@ const kLeastForCommon = 3;
 /** Words for the two ends of a range, and their indices in a symbol. */
 const kEnds = ["least", "greatest"];
 const kEndIndices = ["min", "max"];
-/** Words for the point of a design in the region, as in the search report. */
+/** The words that name the point of a design in its region, as in the search report. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
-/** Identifies a column across searches: the same column of the next list has the same identifier. */
+/** Returns an identifier of a column. The same column of the next list has the same identifier. */
 export function idOf(column: Column): string {
   return `${column.info.key}.${column.place}`;
 }
-/** A value of a design as text for users. */
 export function cellOf(design: Design, column: Column): string {
   const value = valueIn(design, column);
   const place = column.info.key === "point" && typeof value === "string" ? kPlaces[value] : undefined;
   return place ?? textOf(column.info, value);
 }
-/** True if the designs differ in this column. */
 export function varies(designs: Design[], column: Column): boolean {
   const first = designs[0] && cellOf(designs[0], column);
   return designs.some((design) => cellOf(design, column) !== first);
@@ -46,8 +44,8 @@ export function valueIn(design: Design, column: Column): Json | undefined {
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
 
-/** All columns in which at least one design has a value. If the search has a single objective,
- *  its values have no name, and `only` is the name of this objective. */
+/** Returns all columns in which at least one design has a value. If the search has a single objective, its values
+ *  have no name, and `only` is the name of this objective. */
 export function columnsOf(designs: Design[], only: string): Column[] {
   const columns: Column[] = [];
   for (const info of quantities("search.designs")?.quantities ?? []) {

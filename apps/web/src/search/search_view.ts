@@ -20,7 +20,7 @@ const kMostDesigns = 2000;
 /** Quantities for the axes, the most useful first. All others follow in the order of the catalogue. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
 
-/** The name of the objective of a spec with one objective. If none is given, it is the default. */
+/** Returns the name of the objective of a spec with one objective. If none is given, it is the default. */
 function onlyObjective(spec: Json | null): string {
   const given = [at(spec, "search.objective")].flat()[0];
   return typeof given === "string" ? given : inputKey("search", "objective")!.fallback.replaceAll('"', "");
@@ -324,7 +324,7 @@ function real(value: Json | undefined): number {
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
 }
-/** A sentence about the limit that rejected the most candidates, or "" if some design is feasible. */
+/** Returns a sentence about the limit that rejected the most candidates, or "" if some design is feasible. */
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {
   if (feasible > 0) return "";
   const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];

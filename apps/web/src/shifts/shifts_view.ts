@@ -86,7 +86,7 @@ export class ShiftsView implements Tab {
     this.sentence.textContent = sentence;
   }
 
-  /** The range that the figure shows. It stays the same while the user drags the point. */
+  /** Returns the range that the figure shows. It stays the same while the user drags the point. */
   private window(): [number, number, number, number] | null {
     const { plot } = this.slot;
     if (!plot) return null;

@@ -1,6 +1,6 @@
-// Shows the moving contact: the contact point, and the ellipse or line within which the gap between the
-// flanks is less than the thickness of the marking compound. docs/spec.md, contact.positions, defines the
-// directions. The angle of the major axis is measured about the normal, from the projection of axis 1.
+// Shows the contact point while it moves, and the ellipse or line within which the gap between the flanks is
+// less than the thickness of the marking compound. docs/spec.md, contact.positions, defines the directions.
+// The angle of the major axis is measured about the normal, from the projection of axis 1.
 
 import * as THREE from "three";
 import type { ContactCurve } from "../../engine/engine";

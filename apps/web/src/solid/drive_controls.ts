@@ -15,7 +15,7 @@ function menu(words: string, options: string[], now: string, pick: (value: strin
   return h("label", { class: "check", "data-menu": words }, words, list);
 }
 
-/** A component of linear light as a CSS component from 0 to 255. */
+/** Returns a component of linear light as a CSS component from 0 to 255. */
 const shade = (x: number) => Math.round(255 * (x > 0.0031308 ? 1.055 * x ** (1 / 2.4) - 0.055 : 12.92 * x));
 
 export class DriveControls {
@@ -61,9 +61,8 @@ export class DriveControls {
     bench.setKeys(Object.fromEntries(Object.entries(roles).map(([key, body]) => ["planetary." + key, body])));
   }
 
-  /** The pose of each part if the chosen body has made `whole` + t turns, as column-major 4×4
-   *  matrices. A rack returns to its start after each turn, because it would otherwise leave its
-   *  pinion. */
+  /** Returns the pose of each part if the chosen body has made `whole` + t turns, as column-major 4×4 matrices. A
+   *  rack returns to its start after each turn, because it would otherwise leave its pinion. */
   poses(t: number, whole: number): number[][] {
     const { parts, bodies } = this.solids!;
     const moves = parts.some(({ travel }) => travel[0] || travel[1]);

@@ -11,16 +11,15 @@ export interface Marking {
   set(raster: FlankRaster | null, thickness: number): void;
 }
 
-/** The surface of all solids. */
 export const kMetal = { metalness: 0.25, roughness: 0.48 };
 const kFar = 1e3; // mm; stands for an infinite gap
 
-/** The colour of a gear, paler than on paper, so that light and shade remain visible. */
+/** Returns the colour of a gear, paler than on paper, so that light and shade remain visible. */
 export function metal(gear: number): THREE.Color {
   return new THREE.Color(colour(`g${gear + 1}`)).lerp(new THREE.Color(colour(`g${gear + 1}-fill`)), 0.32);
 }
 
-/** A material in the colour of a gear, with a contact pattern on its working flanks. `side` is +1 if these
+/** Returns a material in the colour of a gear, with a contact pattern on its working flanks. `side` is +1 if these
  *  flanks face counter-clockwise about the axis of the gear, and −1 if they face clockwise. */
 export function markedMaterial(
   gear: number,

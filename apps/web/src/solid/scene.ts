@@ -79,7 +79,7 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** Replaces the solids by the parts of a drive, in the colours of their bodies. */
+  /** Replaces the solids with the parts of a drive, in the colours of their bodies. */
   setParts({ parts, bodies }: DriveSolids): void {
     this.clear();
     const shapes: THREE.BufferGeometry[] = [];
@@ -150,7 +150,7 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** The least and the greatest z of the solids, and the length of their diagonal, mm. */
+  /** Returns the least and the greatest z of the solids, and the length of their diagonal, mm. */
   extent(): { low: number; high: number; size: number } {
     const box = this.bounds();
     return { low: box.min.z, high: box.max.z, size: box.max.distanceTo(box.min) };
@@ -185,7 +185,8 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** The least distance of the camera from `center`, in the direction kView, at which every vertex is visible. */
+  /** Returns the least distance of the camera from `center`, in the direction kView, at which every vertex is
+   *  visible. */
   private distanceTo(center: THREE.Vector3): number {
     const aspect = Math.max(0.2, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
     const half = Math.tan((this.camera.fov * Math.PI) / 360);

@@ -8,7 +8,7 @@ import { bench } from "../workbench";
 const kMostColoured = 60_000;
 const kLine = 20; // px, height of a line, as in the style sheet
 
-/** The parts of a line of TOML: table headings, keys and comments. The rest of the line is a value. */
+/** Divides a line of TOML into table headings, keys and comments. The rest of the line is a value. */
 function coloured(line: string): Node[] {
   const comment = commentAt(line);
   const code = line.slice(0, comment);
@@ -23,7 +23,7 @@ function coloured(line: string): Node[] {
     ...tail,
   ];
 }
-/** The index at which the comment of a line begins, which is the first # outside of quotes. */
+/** Returns the index at which the comment of a line begins, which is the first # outside of quotes. */
 function commentAt(line: string): number {
   let quote = "";
   for (let i = 0; i < line.length; ++i) {
