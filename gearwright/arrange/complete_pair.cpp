@@ -193,8 +193,9 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     given.shaft_angle_found = true;
   }
   // If both gears are cut by the same rack, complete_shifts() computes the absent profile
-  // shifts or the centre distance. For parallel axes, its closed form gives the centre distance
-  // to the last digit.
+  // shifts or the centre distance. On parallel axes, it is always used, because its closed form
+  // gives the centre distance to the last digit. On crossed axes, it is used only for absent
+  // shifts or for the extended centre distance.
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
   std::optional<double> a = given.pair.center_distance;
   if (by_shifts) {

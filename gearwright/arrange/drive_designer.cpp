@@ -146,8 +146,8 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
 }
 
 // Returns the profile shifts to be tried. If the search gives shifts, only these shifts are tried.
-// They do not depend on the face width. The list is empty if the teeth of the candidate are
-// impossible.
+// Otherwise, the result does not depend on the face width of the candidate. The list is empty if
+// the teeth of the candidate are impossible or have no centre distance within the limits.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};

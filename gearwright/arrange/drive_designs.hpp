@@ -37,7 +37,7 @@ struct DriveDesigns {
   std::size_t hopeless = 0;      ///< trains that were left out because their estimated safeties are
                                  ///< too small
   std::size_t beyond_limit = 0;  ///< candidates that were not computed because of
-                                 ///< kMostComputedDrives
+                                 ///< kMostComputedDrives; 0 if `top` drives were found
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};
 };
 

@@ -23,7 +23,8 @@ bool shifts_follow(const GivenPair& given);
 std::optional<Warning> note_shifts(const GivenPair& given);
 
 /// Returns a note about a gear with the pressure angle 14.5° whose rack is not given. The note
-/// names the standard rack of this pressure angle.
+/// names the standard rack of this pressure angle. Returns none if the gear has `cut_by` or
+/// `basic`.
 std::optional<Warning> note_rack(const GearInput& gear, int which);
 
 /// Returns an error if shifts are missing and `pair.choose_profile_shifts` is false. The message
@@ -60,9 +61,9 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
 void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings);
 
-/// Warns of a jam, of lost contact, of contact below the usable flanks, and of searches that did
-/// not converge. `least_play` is none if the flanks of `driving` or of `other` never touch.
-/// For a pinion and its rack, `gears` contains only the pinion.
+/// Warns of a jam, of lost contact, of contact below the usable flank of a gear without undercut,
+/// and of searches that did not converge. `least_play` is none if the flanks of `driving` or of
+/// `other` never touch. For a pinion and its rack, `gears` contains only the pinion.
 void warn_of_contact(const ContactResult& driving, const ContactResult& other,
                      std::optional<Angle> least_play, const std::vector<const Gear*>& gears,
                      std::vector<Warning>& warnings);

@@ -33,12 +33,13 @@ struct Assembly {
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
 /// Computes the places of the copies. If the spec gives positions for the planets of the group, the
-/// copies are at these positions. Otherwise, they are spaced at the places
-/// n_i = floor(i N*/N + 1/2), [T13.13].
+/// copies are at these positions. Otherwise, they are at the places n_i = floor(i N*/N + 1/2),
+/// [T13.13]. If the spacing is `equal_clocked` or N* = 0, they are at equal pitch instead.
 ///
-/// Errors    `drive.spacing` if the planets cannot be assembled; the message proposes similar tooth
-///           numbers. `drive.positions` if the teeth do not mesh at a given position; the message
-///           gives the nearest place. If there are fewer places than copies, some copies get the
+/// Errors    `drive.spacing` if this spacing is impossible; for the spacing `equal`, the message
+///           proposes similar tooth numbers. `drive.positions` if the number of angles is not N;
+///           also if the teeth do not mesh at a given position, and then the message gives the
+///           nearest place. If there are fewer places than copies, some copies get the
 ///           same place, and there is no error
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 

@@ -34,8 +34,8 @@ Wave root_of_unity(int turn) {
   return all[static_cast<std::size_t>(turn % kErrorPositions)];
 }
 
-// The harmonics of the curve of a mesh. There are none if the flanks are conjugate, or if the mesh
-// does not move the output.
+// The harmonics of the transmission error of a mesh. There are none if the flanks are conjugate and
+// the mesh has no errors, or if the mesh does not move the output.
 struct MeshCurve {
   std::vector<Wave> waves;   // complex amplitudes of harmonics 0, 1, …, kErrorPositions/2
   std::vector<Wave> shares;  // for each harmonic: mean over the planets of e^{−2πikγ}

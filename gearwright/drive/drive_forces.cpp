@@ -68,8 +68,8 @@ std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body) {
       const auto axis = [&](std::size_t b) {
         return places->axis_of(drive, b, graph.bodies[b].count > 1 ? copy : 0);
       };
-      // The direction to the pitch point. If the second gear is a ring, the direction points from
-      // the axis of the ring to the axis of the first gear.
+      // The direction from the axis of the first gear to the pitch point. If the second gear is a
+      // ring, this is also the direction from the axis of the ring to the axis of the first gear.
       const Vec2 u = graph.gear(m, 1).side() * (axis(two) - axis(one)).normalized();
       const Vec2 on_first = forces->tangential * Vec2(-u.y(), u.x()) - forces->separating * u;
       const double sign = one == body ? 1.0 : -1.0;

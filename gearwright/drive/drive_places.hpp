@@ -50,7 +50,7 @@ Result<DrivePlaces> drive_places(const Drive& drive);
 
 /// Returns a note for each shaft whose axis is within the tip circle of an external gear on another
 /// axis. If such a shaft has bearings on both sides of the housing, it passes through this gear.
-/// Planets and racks are not checked.
+/// Planets and racks are not checked. Returns no notes if `places.true_scale` is false.
 std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces& places);
 
 }  // namespace gearwright

@@ -51,7 +51,8 @@ FlankUse flank_use(const Drive& drive, std::size_t mesh, int side);
 /// Returns the ratings of all meshes, with none for a mesh that carries no load or has no pair.
 ///
 /// Errors    `drive.mesh` if teeth are circular arcs, if there is no power flow or if the drive is
-///           self-locking; the errors of rate(), with the name of the mesh
+///           self-locking; the errors of rated_pair() and rate(), with the name of the mesh; the
+///           errors of `material`
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);

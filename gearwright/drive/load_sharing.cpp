@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 /// An additional stiffness, relative to the greatest one. It holds bodies that no spring touches.
 /// The stiffness affects the steps, but not the solution.
 constexpr double kHold = 1e-12;
-/// If a step changes the sign of the energy's slope, and if the new slope exceeds this fraction of
-/// the old slope, the step has passed the minimum.
+/// A step is halved while it changes the sign of the energy's slope and the magnitude of the new
+/// slope exceeds this fraction of the old magnitude.
 constexpr double kPast = 0.1;
 constexpr int kHalvings = 60;
 constexpr double kRounding = std::numeric_limits<double>::epsilon();

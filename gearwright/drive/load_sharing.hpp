@@ -21,7 +21,7 @@ struct SharingProblem {
     const LoadSpring* spring = nullptr;
     Eigen::VectorXd row;   ///< c, approach per displacement
     double offset = 0.0;   ///< y_0 + e  mm, the approach δ at x = 0
-    double weight = 1.0;   ///< w; accounts for the losses in the preceding springs
+    double weight = 1.0;   ///< w; accounts for the efficiencies of the meshes
     double nominal = 0.0;  ///< N, force at the start of the iteration
   };
   std::vector<Spring> springs;

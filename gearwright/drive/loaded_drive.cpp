@@ -29,8 +29,9 @@ using detail::set_of;
 /// Limit of the common multiple in positions_of(). A number of planets that would raise the
 /// multiple above this limit is left out.
 constexpr int kMostCommon = 60;
-/// Greatest number of equilibria that are computed for a set with several mesh frequencies. With 64
-/// positions for each frequency, two frequencies are possible, but three are not.
+/// Greatest number of combinations of the requested positions for a set with several mesh
+/// frequencies. With 64 positions for each frequency, two frequencies are possible, but three are
+/// not.
 constexpr double kMostCombinations = 1e5;
 
 // Returns the number of positions over a period. It is a multiple of the numbers of planets, so

@@ -12,7 +12,8 @@ namespace gearwright {
 
 namespace {
 
-/// A power below this fraction of the input power is a rounding error.
+/// A power below this fraction of the input power is a rounding error. For the power of a mesh, an
+/// input power of less than 1 counts as 1.
 constexpr double kIdle = 1e-11;
 /// If at most this number of meshes carry load, all patterns of their signs σ are tried.
 constexpr std::size_t kMostSigns = 16;

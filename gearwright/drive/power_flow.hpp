@@ -36,7 +36,8 @@ struct PowerFlow {
   std::vector<PowerPath> paths;    ///< paths in the order of meshes; none for bodies at rest
   double power_in = 0.0;           ///< sum of the powers T ω that flow into the drive
   double efficiency = 0.0;         ///< η [T13.9]; 0 if self-locking, and other members are empty
-  bool circulating = false;        ///< true if a branch carries more power than flows in
+  bool circulating = false;        ///< true if a group of planets or a mesh in the housing
+                                   ///< carries more power than flows into the drive
 
   bool self_locking() const { return efficiency <= 0.0; }
 };

@@ -24,7 +24,7 @@ constexpr double kMaxAmount = 0.1;
 // which is 2 % here. A steeper relief is a chamfer, which is a separate surface.
 constexpr double kSteepest = 0.2;
 // Least depth of a profile relief, relative to the depth of the flank, and least length of an end
-// relief, relative to the face width. A shorter relief counts as an edge.
+// relief, relative to the face width. A shorter relief would be an edge, so it is an error.
 constexpr double kMinReach = 1e-3;
 // Borders closer together than this fraction of the width of the flank are merged. This changes a
 // linear relief by less than 1e-6 of its amount.

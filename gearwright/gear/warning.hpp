@@ -11,7 +11,7 @@
 namespace gearwright {
 
 enum class Severity {
-  note,     ///< a default or a consequence, for information
+  note,     ///< information only, for example about a default that was used
   caution,  ///< the gears run, but the user should check this
   problem,  ///< the gears cannot be made or do not run as specified
 };

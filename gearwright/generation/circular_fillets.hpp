@@ -44,7 +44,8 @@ struct TipFilletSpec {
   double value = 0.0;  ///< mm
 };
 
-/// The straight flank of the rack as a scale of roll angles. [T6.5]
+/// The roll angle ξ as a linear function of the position l on the straight flank of the rack.
+/// [T6.5]
 struct FlankRuler {
   Involute flank;
   double roll_at_0;    ///< ξ at l = 0

@@ -144,7 +144,8 @@ struct Identification {
   std::optional<Contradiction> contradiction;  ///< if present, this reading was not used
   std::optional<NextMeasurement> next;         ///< none if there is only one candidate, or if no
                                                ///< measurement distinguishes the candidates
-  std::string reason;                          ///< the reason if there is no candidate
+  std::string reason;                          ///< the reason why no gear agrees with the readings;
+                                               ///< empty if one agrees
   std::optional<Alternative> alternative{};    ///< present if the correction of one input gives
                                                ///< a gear that agrees, and if the first candidate
                                                ///< disagrees with the readings, is nonstandard or

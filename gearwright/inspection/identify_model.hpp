@@ -78,7 +78,8 @@ struct StandardRack {
   double log_prior;                       ///< logarithm of its prior probability
 };
 
-/// Modules of ISO 54 and diametral pitches, each with the usual pressure angles.
+/// Modules of ISO 54, extended to smaller modules, and diametral pitches, each with the usual
+/// pressure angles.
 const std::vector<StandardRack>& standard_racks();
 /// Returns the values with which a drawing describes a fitted gear [T10.34]. `shift_uncertainty` is
 /// the uncertainty of x_E.

@@ -146,8 +146,9 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // T increases from the best row towards a neighbouring row. The least gap lies between these two
-  // rows, or at the border of flank 2 if the border is nearer.
+  // If T increases from the best row towards a neighbouring row, the least gap lies between these
+  // two rows, or at the border of flank 2 if the border is nearer. If T increases beyond the first
+  // or the last row, the least gap lies at this end of flank 1.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

@@ -34,8 +34,9 @@ constexpr double kStraightest = 0.25;
 
 using Quadrature = boost::math::quadrature::gauss<double, 9>;
 
-// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along the
-// major axis is ¾ (1 − x²), the integral of the Hertz pressure across this axis.
+// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The weights do not
+// include the load along the major axis. This load is ¾ (1 − x²), the integral of the Hertz
+// pressure across this axis.
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Quadrature::abscissa();

@@ -35,11 +35,13 @@ struct UnloadedTips {
 /// Computes the least reliefs of the pair of `setup` under the greatest torque of the request.
 /// The errors, deflections and helix modifications of the pair are included. The profile
 /// modifications and topographies of the pair are ignored, because the reliefs replace them.
+/// Form waves are also ignored.
 ///
 /// Formula   [T12.27]
 /// Domain    involute teeth with line contact; `compliance` belongs to the gears of `setup`
 ///           (contract)
-/// Accuracy  the amounts exceed the least possible amounts by at most 0.005 µm
+/// Accuracy  the amounts exceed the least possible amounts by at most 0.005 µm. If `unloaded` is
+///           false, the amount is the greatest relief that is tried
 /// Errors    `gearN.modifications.tip_relief.reach` as make_removal_field
 /// Laws      for aligned gears:
 ///           (1) if the gears are exchanged, the amounts are exchanged

@@ -72,7 +72,8 @@ Dynamic dynamic_factor(const DynamicInput& in);
 //   C_M      correction by measurements, 0.8
 //   C_R, C_B, E/E_St   corrections for gear body, basic rack and material
 
-/// A gear body with web and rim. A gear without a RatedBody is a solid disc.
+/// A gear body with web and rim, which applies to both gears of a pair. Without a RatedBody, both
+/// gears are solid discs.
 struct RatedBody {
   double web_share = 1.0;    ///< b_s/b, 0.2 … 1.2
   double rim_modules = 5.0;  ///< s_R/m_n, ≥ 1

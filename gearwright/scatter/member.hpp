@@ -4,8 +4,9 @@
 //   s       reduction of the backlash by ΔE_sn, as an angle of gear 2
 //                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
-// The verb `contact` gives the same numbers for the same errors, except for the peak to peak, which
-// is computed here for the continuous curve.
+// The verb `contact` gives the same numbers for the same errors, with two exceptions. It gives no
+// clearances and no long period. Its `peak_to_peak` covers only the computed positions, but here
+// the peak to peak is computed for the continuous curve.
 #pragma once
 
 #include <array>

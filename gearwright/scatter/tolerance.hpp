@@ -19,7 +19,7 @@
 
 namespace gearwright {
 
-/// An error in ContactErrors, in the order of docs/spec.md, [errors].
+/// The errors of mounting and of the teeth that can vary, in the order of docs/spec.md, [errors].
 enum class VaryingError {
   center_distance,  ///< mm
   crossing,         ///< rad
@@ -79,8 +79,8 @@ struct ScatterTolerance {
       of;
   std::string source{};  ///< key or table of the spec that gives the range
 
-  /// Returns ", f_fα of the grade" or ", f_fβ of the grade" for a wave, which has no tolerance of
-  /// its own, and an empty text for anything else.
+  /// Returns ", f_fα of the grade" or ", f_fβ of the grade" for a wave, because the grade
+  /// determines the height of a wave. Returns an empty text for any other tolerance.
   const char* of_grade() const;
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// True if the tolerance changes the position or the shape of the flanks, and therefore the peak

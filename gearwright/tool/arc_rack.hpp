@@ -1,9 +1,9 @@
 // Describes the rack cutters F and P of circular-arc (Wildhaber-Novikov) gears.
 //
 //   ρ*, a*, b*   radius of the flank's arc and position of its centre, in the notation of Litvin
-//                and Tsay: rack points  x = ρ sin θ − b, |y| = ρ cos θ − a. x is measured from the
-//                axis of gear 1 towards the axis of gear 2, and |y| from the middle of the space of
-//                F, which is the middle of the tooth of P
+//                and Tsay: rack points  x = ρ sin θ − b, |y| = ρ cos θ − a. x is 0 on the datum
+//                line and > 0 away from the axis of the gear that F cuts. |y| is measured from the
+//                middle of the space of F, which is the middle of the tooth of P
 //   ψ_c          pressure angle where the two racks touch    theory: docs/theory/07-circular-arc.md
 //
 // F cuts the convex teeth of one gear, and P cuts the concave teeth of the mating gear. On both
