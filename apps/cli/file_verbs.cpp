@@ -1,5 +1,6 @@
-// Runs the verbs `run`, `export` and `import`. `run` writes all files that are possible for a spec,
-// `export` writes the requested files, and `import` prints a REXS file as a spec.
+// Runs the verbs `run`, `export` and `import`. `run` writes the result, the report and further
+// files of a spec (kRunParts), or only the parts after --only. `export` writes the requested files,
+// and `import` prints a REXS file as a spec.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -21,7 +21,7 @@ struct Options {
   std::optional<std::string> out;
   std::optional<std::string> only;  // for run: names of parts, from kRunParts
   std::optional<int> gear;
-  std::string part;  // for export: "1", "2", or the name of a gear of a drive
+  std::string part;  // for export: "1", "2", or the name of a part or gear of a drive
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg, drawing, rexs;
   std::string sheet = "A4";

@@ -55,7 +55,7 @@ class StructuredArray {
   /// Allocates the array with this number of rows. Every column must be added before this call.
   void allocate(std::size_t rows);
   /// Sets the values of one column in one row. The number of values must agree with the shape of
-  /// the column. A missing value becomes NaN, false or "".
+  /// the column. A missing value becomes NaN, 0, false or "".
   void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
   /// Sets all columns of the table in one row from a record of this table.
   void fill(std::size_t row, const ValueRecord& record);

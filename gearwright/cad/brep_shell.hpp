@@ -1,6 +1,6 @@
-// Writes the faces, edges and vertices of a solid about the axis. Internal to cad/.
+// Writes the faces, edges and vertices of the solid of a toothed body. Internal to cad/.
 //
-// Circles and cylinders are centred on the axis.
+// Circles and cylinders are centred on the z axis, which is the axis of the body.
 #pragma once
 
 #include <array>

@@ -91,7 +91,8 @@ class GearViews : public SheetViews {
     return "Keyway " + with_fit(length(bore().keyway_width), input_.words.keyway_fit) + " wide";
   }
   double shelf() const { return k_ * body_ + kShelf; }
-  double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader has an inclination of 60°
+  // Seen from the centre of the gear, the elbow of the leader lies 60° above the horizontal.
+  double elbow() const { return shelf() / std::sqrt(3.0); }
 
   // Returns the dimensions to the left of the axial section. The left face of the section is at x.
   std::vector<Dimension> dimensions_on_left(double x) const {

@@ -43,7 +43,8 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
   }
 }
 
-// The content of a PDF page. A line setting is written only if it differs from the current setting.
+// The content of a PDF page. The line setting of a layer is written only if it differs from the
+// current one. A mark of a figure always has its own settings.
 class Content {
  public:
   explicit Content(const Sheet& sheet) {

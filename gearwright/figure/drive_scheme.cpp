@@ -30,8 +30,8 @@ constexpr double kBack = 0.45;     // from the teeth of a rack to its back
 constexpr double kMargins = 24.0;  // px, both margins of a picture without axes
 constexpr double kFurther = 2.5;   // from the end of a shaft to the end of the next shaft inside it
 
-// A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
-// joins a ring to its shaft.
+// A vertical line from the shaft of a body to a gear or a carrier. For a ring, the line is the web
+// of the bell, which is the part that joins the ring to its shaft.
 struct Rise {
   double x, to;
 };

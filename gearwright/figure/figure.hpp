@@ -53,7 +53,7 @@ struct FigureLength {
 struct FigureMark {
   enum class Kind {
     line,  ///< through the points
-    area,  ///< inside closed pieces, by the even-odd rule
+    area,  ///< inside closed pieces; holes run opposite to the outer border
     bar,   ///< a rectangle between two opposite corners
     dot,
     text,

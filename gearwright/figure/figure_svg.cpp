@@ -23,8 +23,8 @@ constexpr double kFoot = 44.0;  // px below the plot, for numbers and words of t
 constexpr double kLane = 22.0;
 constexpr double kColumn = 24.0,
                  kBesidePlot = 12.0;          // px; a column of names beside the plot is wider than
-                                              // the names by kColumn, and kBesidePlot is the gap
-                                              // before the names
+                                              // the names by kColumn, and the leader lines end at
+                                              // the distance kBesidePlot from the plot
 constexpr double kLeaderGap = 19.0;           // px between the names of a column
 constexpr double kShade = 19.0;               // px, width and greatest step height of a map's key
 constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y

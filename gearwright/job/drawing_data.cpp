@@ -96,9 +96,9 @@ std::string rack_name(const JobSpec& spec, int which) {
 
 namespace {
 
-// Adds the rows of a pinion cutter. `mate` is the number of the mating gear if this gear is the
-// cutter, and 0 if it is not. The workshop may replace the default cutter by another one, so the
-// generating centre distance of the default cutter is omitted.
+// Adds the rows of a pinion cutter. `mate` is the number of the mating gear if the mating gear
+// is the cutter, and 0 otherwise. The workshop may replace the default cutter by another one, so
+// the generating centre distance of the default cutter is omitted.
 void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"
                              : mate > 0        ? fmt::format(", gear {}", mate)

@@ -1,4 +1,6 @@
-// Makes the answer of the verb `drive`. Internal to job/ and the programs.
+// Makes the answers for drives, which are those of the verb `drive`, of the rating and of the
+// search for drives. Also makes specs of found drives and of meshes. Internal to job/ and the
+// programs.
 #pragma once
 
 #include <cstddef>
@@ -63,9 +65,10 @@ struct MeshSpec {
 
 /// Returns the spec of a mesh. It contains the two gears at their centre distance, with the shifts
 /// and tip diameters that they have in the drive. If the mesh carries load, the spec also contains
-/// the torque, the speed relative to the carrier, the driving gear and the rating. The tables for
-/// errors, contact, drawing and scatter are copied from the drive. If one gear is a rack, the rack
-/// is gear 2.
+/// the torque, the speed relative to the carrier, the driving gear and the rating, as far as they
+/// are known. The tables for errors, contact, drawing and scatter are copied from the drive, except
+/// scatter for double-helical gears. If one gear is a rack, the rack is gear 2, and the spec
+/// contains no load.
 ///
 /// Laws      the pair of this spec has the same numbers as the mesh in the drive
 /// Domain    expanded = expanded_spec() of the drive (contract)

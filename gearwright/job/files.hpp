@@ -37,7 +37,7 @@ struct FileOptions {
   Progress* progress = nullptr;  ///< reports the progress of contact and corrections
   StepSchema step_schema = StepSchema::ap242;
   double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
-  double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs
+  double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs and workshop drawings
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
   std::vector<std::string> only{};      ///< for `run`, the parts to write (kRunParts); if empty,
                                         ///< all

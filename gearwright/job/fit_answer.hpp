@@ -56,7 +56,7 @@ struct IdentifyAnswer {
 /// Errors    `gear1.measured` if it is missing; the errors of identify(), with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 
-/// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}
+/// {"identify": {"candidates", "contradiction", "next_measurement", "alternative", "reason"}}
 Json identify_json(const IdentifyAnswer& answer);
 
 std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units);

@@ -125,8 +125,8 @@ class Writer {
     relate("assembly", {{"assembly", unit_}, {"part", id}});
   }
 
-  // Adds the tool of a gear. The default cutter of a ring is omitted, because a reader of the file
-  // uses the same default cutter.
+  // Adds the tool of a gear. The default cutter of a ring is omitted, because Gearwright uses the
+  // same default cutter when it reads the file.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
     if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();

@@ -22,8 +22,8 @@ namespace gearwright {
 struct ListedDesign {
   std::int64_t number;  ///< N
   std::int64_t trial;
-  /// The numbers of teeth in the file of the list. A difference shows that the file belongs to
-  /// another search.
+  /// The numbers of teeth in the file of the list. If they differ from the numbers of teeth of
+  /// the trial in this search, the file belongs to another search.
   std::optional<std::array<int, 2>> teeth{};
 };
 

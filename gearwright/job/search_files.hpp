@@ -57,11 +57,11 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
 /// must not write files into that folder. Returns none otherwise.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs the missing chunks of the search in options.out. If all chunks then exist, makes the files.
+/// Runs those missing chunks of the search in options.out that belong to this process. If all
+/// chunks then exist, makes the files. Of several ranks, only the first one makes the files.
 ///
 /// Throws    IoError
-/// Errors    an existing campaign, or a finished search of another spec; --resume without a
-///           campaign or for another spec
+/// Errors    the errors of open_campaign(); a finished search of another spec in the folder
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options);
 

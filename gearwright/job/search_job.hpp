@@ -58,7 +58,7 @@ inline constexpr double kManyPoints = 1e8;
 
 /// A search run. The members of SearchView are the result of a finished search.
 struct SearchRun : SearchView {
-  bool finished = false;  ///< true if all chunks are done and this process made the files
+  bool finished = false;  ///< true if all chunks are done and this process has the result
   bool stopped = false;   ///< true if SearchOptions::stop ended the run
   std::int64_t chunks_done = 0, chunks = 0;
   std::string changes_left_out;            ///< reason why only some changes were searched; may be

@@ -33,7 +33,7 @@ void SearchWorkers::work(const Done& done) {
     trials_done_ += trials;
     if (stopped()) return false;
     constexpr unsigned kSeldom = 16;  // to save time, only every 16th call without finished trials
-                                      // is reported
+                                      // reports the progress
     if (trials > 0 || calls++ % kSeldom == 0) report_progress();
     return true;
   };

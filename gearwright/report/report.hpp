@@ -44,7 +44,8 @@ struct ReportInput {
   std::vector<ValueRecord> pair_ends;
   std::vector<double> masses;         ///< kg, of the gears whose mass is known
   std::vector<ValueRecord> measures;  ///< inspection dimensions of each gear; may be empty
-  /// Values at the ends of the tolerances; may be empty.
+  /// For each gear, the values of `measures` that differ between the ends of the tolerances; may be
+  /// empty.
   std::vector<std::vector<ValueRecord>> measure_ends;
   std::vector<KDiagram> k_diagrams;  ///< of flanks with modifications or a grade; may be empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact

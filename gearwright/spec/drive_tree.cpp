@@ -72,8 +72,8 @@ void visit_stage(const Json& stage, const std::string& path, const std::string& 
                    visit);
 }
 
-// Visits every gear that has its own material. If a gear is visited again, the later visit takes
-// precedence.
+// Visits every gear for which its own table or the table of its stage or set has a material. If a
+// gear is visited again, the later visit takes precedence.
 void visit_materials(const Json& tree, const MaterialVisit& visit) {
   if (tree.contains("planetary")) visit_set(tree["planetary"], "planetary", "", visit);
   if (tree.contains("stage") && tree["stage"].is_array())

@@ -2,8 +2,10 @@
 // the held bodies, the inputs and the output. Internal to spec/.
 //
 // A held body is connected to the casing by a coupling. A body with a load is an input if the load
-// defines a torque or the shaft defines a speed. Any other body with a load is the output. If no
-// body is connected to the casing and two of three central bodies have a load, the third is held.
+// defines a torque or the shaft defines a speed. Any other body with a load is the output. If there
+// is no such body, but a load defines a torque, a body for which only the speed is defined is the
+// output instead of an input. If no body is connected to the casing and two of three central bodies
+// have a load, the third is held.
 #pragma once
 
 #include <array>

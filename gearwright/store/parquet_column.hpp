@@ -34,7 +34,8 @@ void end_row(ColumnChunk& chunk, std::size_t row);
 /// Returns the data page before compression. An optional column begins with definition levels.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
-/// Writes the fields of the struct Statistics, the number of nulls and, for numbers, the range.
+/// Writes the fields of the struct Statistics. They are the number of nulls, the range of numbers
+/// (none if there are no values or if one is NaN), and for float64 the number of NaN.
 void write_statistics(Thrift& out, const ColumnChunk& chunk, std::size_t rows);
 
 }  // namespace gearwright
