@@ -44,6 +44,21 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
   }
 }
 
+// The model of a tooth includes its neighbour on each side, so it needs three teeth.
+TEST(ToothCompliance, NeedsThreeTeeth) {
+  for (const int teeth : {1, 2, 3}) {
+    CylindricalSpec s = testing::plain_spec(
+        {.teeth = teeth, .module = kModule, .beta_deg = 65, .x = 0.4, .face_width = 10 * kModule});
+    s.rack = *iso53_rack("ISO53-A");
+    const Gear gear = std::move(make_gear(s)).take();
+    const auto a = probe_compliance(gear, {2 * kModule, 0.3, 1.0},
+                                    {.diameter = gear.reference().reference_diameter},
+                                    ComplianceAccuracy::draft);
+    ASSERT_EQ(bool(a), teeth == 3);
+    if (!a) EXPECT_EQ(a.error().kind, FailureKind::not_under_load);
+  }
+}
+
 // The compliance includes the twist of the body. Its closed form is compared with the value that
 // the reference prints for this part.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {

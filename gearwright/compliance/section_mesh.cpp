@@ -17,6 +17,7 @@ using Complex = std::complex<double>;
 constexpr int kLengthSteps = 64;    // chords per element; their total length has an error of 1e-6
 constexpr double kSameNode = 1e-7;  // modules: points closer than this are merged
 constexpr double kNoArc = 1e-6;     // modules: arcs shorter than this are ignored
+constexpr int kLeastTeeth = 3;      // the model of a tooth includes its neighbour on each side
 constexpr double kMinRim = 0.3;     // modules: smallest thickness of the body behind the teeth
 
 struct Part {
@@ -176,6 +177,11 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   mesh.outward = outline.side();
   mesh.tooth_count = std::abs(outline.teeth);
   mesh.bore_radius = bore_radius / module;
+  if (mesh.tooth_count < kLeastTeeth)
+    return Error{"teeth", std::to_string(outline.teeth),
+                 "is not possible under load; the gear must have at least 3 teeth, because the "
+                 "model of a tooth includes its neighbour on each side",
+                 FailureKind::not_under_load};
   std::vector<Part> parts;
   for (const Arc& arc : outline.arcs)
     if (arc.name != ArcName::tip_land && arc_length(arc) > kNoArc * module)

@@ -74,8 +74,9 @@ struct SectionMesh {
 /// Makes the mesh. For an internal gear, `bore_radius` is the outside radius of the rim.
 ///
 /// Domain    0 < bore radius (contract)
-/// Errors    `bore.diameter` if no rim remains; `teeth` if elements fold, which happens if the
-///           outline is too undercut or too pointed for this mesh
+/// Errors    `bore.diameter` if no rim remains; `teeth` if the gear has fewer than 3 teeth or no
+///           flank, or if elements fold, which happens if the outline is too undercut or too pointed
+///           for this mesh
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,
                                       const SectionMeshOptions& options);
 

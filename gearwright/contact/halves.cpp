@@ -84,10 +84,10 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
     }
     whole.positions.push_back(both);
   }
+  whole.unfinished = a.unfinished + b.unfinished;
   if (te.empty()) return;
   whole.peak_to_peak = Angle::radians(peak_to_peak(te));
   whole.mean_slope = (a.mean_slope + b.mean_slope) / 2;
-  whole.unfinished = a.unfinished + b.unfinished;
   if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
 }
 

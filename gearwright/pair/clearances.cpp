@@ -44,7 +44,7 @@ std::optional<double> tip_that_clears(const std::array<const Gear*, 2>& gears,
   const auto form = mate.root_form_radius();
   if (!form) return std::nullopt;
   const double base = mate.base_radius();
-  const double start = roll_length(std::max(*form, base) + margin, base);
+  const double start = roll_length(std::max(*form, base) + mate.side() * margin, base);
   const double rho = tip == 2 ? mesh.rho2(start)
                               : leaf::rho_1_where(mesh.base_tangent_distance, mesh.sigma,
                                                   start / mesh.base_cosine_ratio);
