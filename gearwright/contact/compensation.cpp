@@ -351,8 +351,8 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
 }
 
 // If no teeth exist with one correction at its bound and all others at 0, the function moves this
-// bound towards 0. A bound that would become 0 stays unchanged. If such bounds were not moved, most
-// trials of the search would have no teeth.
+// bound towards 0. A bound that would become 0 stays unchanged. Without this function, most trials
+// of the search would have no teeth.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {
