@@ -1,5 +1,5 @@
-// The description of a quantity of a result (QuantityInfo), the table of the quantities of a record,
-// and their values as text for users.
+// The description of a quantity of a result (QuantityInfo), the table of the quantities of a
+// record, and their values as text for users.
 #pragma once
 
 #include <optional>
