@@ -71,8 +71,8 @@ TEST(SincosTurn, LiesOnTheUnitCircle) {
 // The reference values are the long double sine and cosine of 2πk/n, which is not reduced. The
 // reduced argument is at most π/4. Its three roundings (quotient, constant, product) are together
 // below 1.5 ε relative, and the functions add 0.55 ε. Because x cot x <= 1 and x tan x <= 1 there,
-// the sum is 2.05 ε relative. The argument of the reference, below 2π, has an error of at most
-// 2⁻⁶².
+// the sum is 2.05 ε relative. The argument of the reference, below 2π, has roundings of about 2⁻⁶²,
+// for which the limit contains the constant 2⁻⁶¹.
 TEST(SincosTurn, AgreesWithTheUnreducedAngle) {
   static_assert(std::numeric_limits<long double>::digits >= 64, "the reference needs more digits");
   std::mt19937_64 random(20240);
@@ -113,7 +113,7 @@ TEST(Angle, degrees_of_ten_decimals_come_back_as_they_were_given) {
     }
   }
   EXPECT_EQ(Angle::degrees(60).deg(), 60);
-  // Any other angle is returned within 2e-15. NaN and −0 are returned unchanged.
+  // Any other angle is returned within rounding. NaN and −0 are returned unchanged.
   EXPECT_NEAR(Angle::degrees(12.345678901234567).deg(), 12.345678901234567, 2e-15);
   EXPECT_TRUE(std::isnan(Angle::radians(std::nan("")).deg()));
   EXPECT_TRUE(std::signbit(Angle::radians(-0.0).deg()));

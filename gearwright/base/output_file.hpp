@@ -19,13 +19,14 @@ class IoError : public std::runtime_error {
 /// Throws    IoError naming the folder and the system's reason
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes `content` to `path`, completely or not at all.
+/// Writes `content` to `path`, completely or not at all. A device or a pipe is written directly.
 /// Throws    IoError naming the path and the system's reason; the temporary file is then removed
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// Like write_file(), for writers that need a path (Parquet). The function calls `write` with a
 /// temporary path in the same folder and then renames the file. If `write` throws an exception, the
 /// temporary file is removed and the caller receives the exception.
+/// Throws    IoError also if `path` is a device or a pipe, or if `write` makes no file
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path&)>& write);
 

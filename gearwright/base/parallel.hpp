@@ -11,11 +11,13 @@
 
 namespace gearwright {
 
-/// The number of threads that are used: `threads`, or one for each core if `threads` is 0.
+/// The number of threads that are used: `threads`, or one for each core if `threads` is 0. It is 1
+/// in a build without oneTBB.
 int thread_count(int threads);
 
-/// Calls f(0) … f(n − 1) once each, in any order and from several threads. If a call throws, the
-/// exception is thrown again after the other calls have ended.
+/// Calls f(0) … f(n − 1) once each, in any order and from several threads. If a call throws, calls
+/// that have not begun may be omitted. The exception is thrown again after the other calls have
+/// ended.
 void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int threads = 0);
 
 /// Processes many items at once and delivers the results in the order of the items. Only a few

@@ -45,8 +45,8 @@ Result<std::vector<std::string>> zipped_names(std::string_view archive);
 /// The content of the file `name` in an archive.
 ///
 /// Domain    a name of zipped_names() (contract)
-/// Errors    a file that is encrypted, has more than `most` bytes, is compressed by another method
-///           than deflate, or does not have its checksum
+/// Errors    as zipped_names(); a file that is encrypted, has more than `most` bytes, is compressed
+///           by another method than deflate, or does not have its checksum
 Result<std::string> unzipped(std::string_view archive, std::string_view name, std::size_t most);
 
 }  // namespace gearwright

@@ -18,9 +18,10 @@ TextTable correction_table(std::string title, const std::vector<FoundCorrection>
 /// The peak-to-peak transmission error for each combination of errors.
 TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units);
 
-/// Returns two tables: the amounts of each proposal, and the effects of each proposal under load.
-/// If the accuracy grades give helix slope deviations, the effects are also listed for the less
-/// favourable direction of these deviations. The proposal with the index `marked` has a *.
+/// Returns a table with the amounts of each proposal and a table with its effects under load. If
+/// the accuracy grades give helix slope deviations, a third table lists the effects for the less
+/// favourable direction of these deviations. Of the proposals with the same spec, only the first
+/// has a row. The proposal with the index `marked` has a *.
 std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
                                        std::optional<std::size_t> marked);
 

@@ -13,8 +13,8 @@ using Json = nlohmann::ordered_json;
 
 std::string inch(const std::string& key) { return key_in(UnitSystem::inch, key); }
 
-// Converts the limits in the schema of a length to inches. The description is removed, because it
-// gives the property in mm.
+// Converts the limits in the schema of a quantity to its inch unit. The description and the default
+// are removed, because they apply to the metric unit.
 void convert_limits(Json& schema, const KeyUnit& unit) {
   if (!schema.is_structured()) return;
   if (schema.is_object()) {

@@ -198,7 +198,8 @@ struct KeyTable {
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
-  /// only() returns a table with only these keys, in this order. without() omits these keys.
+  /// only() returns a table with only these keys, in this order. The table must have these keys.
+  /// without() omits these keys. Neither result has the rule or the shorthand of the table.
   KeyTable only(const std::vector<std::string_view>& kept) const;
   KeyTable without(const std::vector<std::string_view>& left_out) const;
   std::vector<std::string> names() const;
@@ -206,8 +207,8 @@ struct KeyTable {
   std::vector<std::string> ways(std::string_view key) const;
 };
 
-/// Returns the unit at the end of a key, without the underscore, for example "mm". Returns an empty
-/// text if the key has no unit.
+/// Returns the unit at the end of a key, without the underscore: mm, deg, um, per_in, arcsec or
+/// rpm. Returns an empty text if the key ends with none of these units, for example power_kW.
 std::string_view key_unit(std::string_view key);
 
 /// Returns the permitted values as part of a sentence, for example "a number". If the key has a
@@ -222,8 +223,8 @@ std::string plain_words(std::string_view meaning);
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// Returns the known word that the user probably meant by an unknown word. At most one letter in
-/// three may differ, or one of the words must be a part of the other. Case is ignored. Returns an
-/// empty text if no word is similar.
+/// three may differ, or one of the words must be a part of the other and have at least three
+/// letters. Case is ignored. Returns an empty text if no word is similar.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// Returns the end of a message about an unknown word, for example "; did you mean mass?". Returns

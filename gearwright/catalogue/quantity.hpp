@@ -206,8 +206,8 @@ class QuantityList {
 /// Returns the part of a subject, or null if the subject has no such part.
 using FindPart = std::function<const void*(const void*)>;
 
-/// Changes the getter of a part to the getter of the whole subject. If the subject does not have the
-/// part, the value is null.
+/// Changes the getter of a part to the getter of the whole subject. If the subject does not have
+/// the part, the value is null.
 void get_from_part(Quantity& q, const FindPart& find);
 
 /// The functions that add an entry to the quantities of S. The getters take a P, which is S itself

@@ -1,5 +1,5 @@
-// The description of a quantity of a result (QuantityInfo), the table of the quantities of a record,
-// and their values as text for users.
+// The description of a quantity of a result (QuantityInfo), the table of the quantities of a
+// record, and their values as text for users.
 #pragma once
 
 #include <optional>
@@ -74,9 +74,9 @@ int digits_of(const QuantityInfo& info);
 /// are in mm in both systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
-/// Returns a value as text for users, without its unit. If there is no value, the text is `none`. A
-/// list is written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as
-/// "a x, b y".
+/// Returns a value as text for users, without its unit. If there is no value or it is not finite,
+/// the text is `info.nothing` or, if that is empty, `none`. A list is written as "x, y, z", two
+/// ends as "lo … hi", a fraction as "p/q" (as "p" if q = 1), and values by name as "a x, b y".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 

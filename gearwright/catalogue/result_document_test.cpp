@@ -108,7 +108,7 @@ TEST(ResultDocument, TablesAreTheCatalogues) {
   }
 }
 
-// A pair and a gear can have warnings with the same word, `contact_lost`.
+// Two codes have the text `contact_lost`: one for positions without contact, and one for undercut.
 TEST(ResultDocument, CodesAreTheWarnings) {
   std::string text = "| code | level | meaning |\n|---|---|---|\n";
   for (const WarningMeaning& m : warning_meanings()) {

@@ -28,8 +28,9 @@ struct GivenKeys : std::set<std::string, std::less<>> {
   std::map<std::string, std::string, std::less<>> written{};
 };
 
-/// Returns the error with keys in place of members, in the units of the spec. All other words are
-/// unchanged, so a second call has no effect.
+/// Returns the error with keys in place of members, in the units of the spec. If the value is of a
+/// default rack, or if it is converted from the given key, a preface to the rule states this. All
+/// other words are unchanged, so a second call replaces no key.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
 /// Converts an error, whose field is a key of the catalogue, to the units of the spec. A value that
@@ -46,7 +47,7 @@ struct SpelledMember {
   std::string value;  ///< as it is written in the file; a word is in quotes
 };
 /// Returns the key of a member of the table `owner`. If this table has no such member, a member of
-/// the spec is used. If no key sets the member, the result is the name of the member itself.
+/// the spec is used. If no key sets the member, the path is `owner.member` and the value unchanged.
 SpelledMember spelled_member(std::string_view owner, std::string_view member,
                              const std::string& value = {});
 

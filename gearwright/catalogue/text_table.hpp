@@ -41,12 +41,13 @@ struct ListingColumn {
   std::vector<std::string> cells;                   ///< one for each row
   bool left = false;                                ///< true if the cells are aligned to the left
   std::vector<std::optional<double>> numbers = {};  ///< values of the cells, for comparing columns;
-                                                    ///< empty for columns of words
+                                                    ///< nullopt for a cell that is not a number
 };
 
-/// Makes a column for each quantity of `keys` for which at least one record shows a value. The
-/// values are in `units`. The heading is the symbol. If another column has the same symbol, the
-/// heading is the words. The key of a member of an inner record is "record.key".
+/// Makes a column for each quantity of `keys` for which at least one record shows a value. If the
+/// quantity has one value per gear, each gear with a value has a column. The values are in `units`.
+/// The heading is the symbol. If the quantity has no symbol or another quantity has the same
+/// symbol, the heading is the words. The key of a member of an inner record is "record.key".
 std::vector<ListingColumn> listing_columns(UnitSystem units,
                                            const std::vector<ValueRecord>& records,
                                            std::initializer_list<std::string_view> keys);

@@ -16,7 +16,7 @@
 
 namespace gearwright::detail {
 
-inline constexpr int kMostCenters = 6;  // greatest number of centers in one call
+inline constexpr int kMostCenters = 6;  // greatest number of models after the first one
 // Greatest reach of all searches after the first.
 inline constexpr double kNextReach = 0.25;
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
@@ -34,8 +34,8 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
 }
 
 /// Returns the center at which the function is least. The first center is `center`. The search ends
-/// after kMostCenters models, or when the reach is below kLastReach. It also ends when the lowest
-/// point of a model is better than the center by at most `gain`.
+/// after kMostCenters models in addition to the first one, or when the reach is below kLastReach.
+/// It also ends when the model at its lowest point is less than at the center by at most `gain`.
 ///
 ///   model_at(center)               the model that is exact at the center
 ///   value(model, v)                the value of the model at v

@@ -222,8 +222,9 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // The program spends most of its time on TE curves, so their total number is limited. The limit
-  // is the same for any number of scenarios.
+  // The program spends most of its time on TE curves, so their total number is limited. This limit
+  // is the same for any number of scenarios. A search also ends after 400 evaluations per
+  // correction.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
@@ -350,7 +351,8 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
 }
 
 // If no teeth exist with one correction at its bound and all others at 0, the function moves this
-// bound towards 0. Otherwise, most trials of the search would have no teeth.
+// bound towards 0. A bound that would become 0 stays unchanged. Without this function, most trials
+// of the search would have no teeth.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {

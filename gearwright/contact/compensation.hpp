@@ -2,7 +2,7 @@
 // are given as several sets, and the worst set counts.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
-//   f(v) = max_S peak to peak TE + w · max_S (q² + p²)      [T8.24] of docs/theory/08-contact.md
+//   f(v) = max_S peak to peak TE + w (max_S q² + max_S p²)   [T8.24] of docs/theory/08-contact.md
 //
 //   TE  transmission error as a continuous curve. It is evaluated between the computed positions as
 //       well, because its minima usually lie between two positions
@@ -90,7 +90,7 @@ std::optional<SettingAnswer> arc_setting(const ArcPair& arcs, const ContactSetup
 /// The corrections of the lead angles. Each correction alone makes the slope of TE zero, while the
 /// lead angle of the other gear remains unchanged. [T8.22]
 struct LeadAnswer {
-  std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
+  std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2; none if above 0.01 rad
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
   double slope;  ///< dTE/dφ1 in the middle of the mesh, before the correction
 };
@@ -137,10 +137,10 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
 ///           scenario; positions and fine_positions ≥ 2 (contract)
 /// Accuracy  f is at a local minimum, the lowest one that a deterministic search of the whole box
 ///           (DIRECT) and descents from several starts find. Values are multiples of a hundredth of
-///           `step`. If this rounding loses more than 1 % of the gain, a smaller fraction of
-///           `step` is used. All values are 0 if the gain is below kSameError. Without an aim, a
-///           value is 0 if the other corrections alone reach the same f within kSameError and 1 %
-///           of the gain
+///           `step`. If this rounding loses more than 1 % of the gain and more than kSameError, a
+///           smaller fraction of `step` is used. All values are 0 if the gain is below kSameError.
+///           Without an aim, a value is 0 if the other corrections alone lose at most kSameError
+///           plus 1 % of the gain. With an aim, CompensationAim::same replaces kSameError
 /// Laws      (1) f(value) <= f(0) at fine_positions. With an aim, the worst value of the aim over
 ///               the scenarios is not greater with the corrections than without
 ///           (2) if w is not given and there is no aim, after.span is at most the greater of

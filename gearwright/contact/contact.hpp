@@ -32,7 +32,7 @@ struct ContactResult {
   std::vector<std::vector<Sensitivity>> sensitivities;
   Angle peak_to_peak;            ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< harmonics of TE; empty if the request has rotations
+  std::vector<Angle> harmonics;  ///< of TE; empty if the request has rotations or contact is lost
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< number of searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack
@@ -69,8 +69,9 @@ bool jams(Angle least_play, const Gear& moved);
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track = nullptr);
 
-/// Amplitudes of TE at the mesh frequency and its multiples, at most `most` of them. `te` contains
-/// the values of TE at equal steps over one pitch.
+/// Amplitudes of TE at the mesh frequency and its multiples. `te` contains the values of TE at
+/// equal steps over one pitch. The result has at most `most` amplitudes, and fewer than half the
+/// number of values.
 ///
 /// Formula   [T8.18]
 /// Domain    at least one value (contract)

@@ -75,7 +75,8 @@ class ContactPair {
   /// the reference radius of the pinion.
   /// [T8.29]
   ///
-  /// Domain  an axis angle of 0, no fillets (contract)
+  /// Domain  an axis angle of 0, no fillets, equal `middle` of both faces, no errors of the teeth
+  ///         of the rack (contract)
   ContactPair(const ContactGear& pinion, const RackGeometry& rack, const ContactMount& mount);
 
   const std::vector<FlankPatch>& patches(int gear) const { return patches_[gear - 1]; }

@@ -12,7 +12,7 @@ namespace {
 using End = FlankPatch::End;
 
 // Returns the kind of touch at bound j of D, the part of flank 1 opposite flank 2 (touch.hpp).
-// Returns none if another patch of the same flank begins at this bound.
+// Returns none at a seam, where another patch of the same flank continues with the same slope.
 TouchKind kind_of(const GapField& field, int j) {
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();

@@ -82,9 +82,10 @@ struct ContactPoint {
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
   std::optional<Angle> rack_angle;  ///< normal angle of the rack that cut gear 1, at the touch
-  /// k1, k2  1/mm, for the kinds interior and line.
+  /// k1, k2  1/mm, for the kind line, and for the kind interior unless a bound of the patch is
+  /// active.
   std::optional<std::array<double, 2>> gap_curvature;
-  std::optional<ContactEllipse> ellipse;
+  std::optional<ContactEllipse> ellipse;  ///< none without gap_curvature, or if k2 ≤ 0
   std::optional<ContactRidge> ridge;
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
 };

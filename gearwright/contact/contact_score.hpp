@@ -53,9 +53,10 @@ struct ContactCurve {
 /// TE and score of a pair over one pitch.
 ///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  a peak to peak below 1e-9 arcsec is a rounding error and is set to 0. Values of h and
-///           p below 1e-9 are also set to 0. `span` is as accurate as continuous_extremes(). q is
-///           exact to 1 % if the gap is a parabola along the contact line
+/// Units     TE has its sign in the frame N
+/// Accuracy  a peak to peak below 1e-9 arcsec is a rounding error and is set to 0. Values of h, q
+///           and p below 1e-9 are also set to 0. `span` is as accurate as continuous_extremes(). q
+///           is exact to 1 % if the gap is a parabola along the contact line
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target);
 
 /// TE and score, computed from the touches of one pitch. TE has its sign in the frame N.

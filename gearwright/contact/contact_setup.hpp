@@ -39,7 +39,7 @@ class ContactSetup {
   /// material even if nothing is removed, because derivatives need the field.
   ///
   /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
-  ///           `errors.cutter_lead[N]` as check_cutter_lead
+  ///           `errors.cutter_lead[N−1]` as check_cutter_lead
   static Result<ContactSetup> of(const Pair& pair, const ContactErrors& errors,
                                  const PairModifications& modifications = {},
                                  std::array<bool, 2> fields = {});
@@ -58,7 +58,11 @@ class ContactSetup {
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
   const RemovalField* removal(int gear, bool left) const;
-  /// Returns the setup after this change, or an error if the change leaves no teeth.
+  /// Returns the setup after this change.
+  ///
+  /// Domain    a tool setting of 0 without a convex_gear() (contract)
+  /// Errors    `gearN.modifications.…` as make_removal_field; `gearN.…` as make_gear for the
+  ///           changed tool setting; `compensate.corrections` if this setting leaves no tooth
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
   /// Returns this setup with other modifications.
@@ -85,14 +89,15 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// True if material is removed from a flank, or if the reach of a relief is given. The amount of
-/// this relief may be 0.
+/// True if a flank has a modification, a topography or a form wave. A relief whose reach is given
+/// counts, even if its amount is 0.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
 /// Returns an error if the lead angle of the cutter cannot change by this amount.
 ///
-/// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter,
-///           or if the lead angle is not between kMinLead and kMaxLead
+/// Errors    `errors.cutter_lead[which−1]` if the gear is a spur gear or was cut by a pinion
+///           cutter, or if the lead angle is not between kMinLead and kMaxLead, these ends
+///           excluded. A change of 0 is never an error
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
@@ -108,11 +113,12 @@ FlankExtent flank_extent(const Gear& gear);
 /// Returns the error for a pair whose teeth touch at no position. The text of the error gives the
 /// reason, for example tips that do not reach each other. The field is `errors` or, without errors,
 /// `pair.center_distance`. The second function applies to a pair under `errors`, a scenario of
-/// [compensate.range] with the name `name`.
+/// [compensate.range] with the name `name`. Its field is `compensate.range`.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// True if the cause of the error is a gear without usable flank, or teeth that never touch.
+/// True if the cause of the error is a gear without usable flank, or teeth that never touch. An
+/// error of nothing_touches_under() does not count.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

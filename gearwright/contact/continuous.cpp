@@ -66,7 +66,8 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // Returns the fraction of the rotation `way`, in steps, over which the touch's branch continues.
+  // Returns the part of the rotation `way` over which the branch of the touch continues, 0 to 1.
+  // `way` is in steps.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;

@@ -3,7 +3,7 @@
 //   T, N       gap field of two flanks (gap_field.hpp) and frame N (contact_pair.hpp)
 //   T_a, T_b   two branches. A branch is the greatest T of one tooth pair as a function of the
 //              rotation. On convex flanks, it is the greatest T over all pairs of patches. On other
-//              flanks, each pair of patches has its own branch
+//              flanks, each pair of patches has its own branch. On wavy flanks, each crest has one
 //   TE         the greatest T of all branches; the branch with this T leads
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
@@ -50,8 +50,6 @@ inline constexpr int kLeastSpanPositions = 32;
 
 /// Returns the peak to peak of the continuous curve over a pitch, or none if contact is lost at a
 /// position. The function uses at least kLeastSpanPositions.
-///
-/// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 
 /// Returns ∂span/∂e, rad per unit of e. `transmission` must be the one that computed `extremes`.

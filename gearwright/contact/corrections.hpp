@@ -58,7 +58,7 @@ ContactSetup with_fields_for(const ContactSetup& setup,
                              const std::vector<WorkshopCorrection>& corrections);
 
 /// The usual bounds of a correction and the usual step, in the unit of the correction. A tool
-/// setting is at most a tenth of the module.
+/// setting is at most a tenth of the module, and at most 5 mm.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
 /// Returns the task of computing these corrections within bounds_of(). The task improves the worst

@@ -22,7 +22,7 @@ struct Bound {
 
 struct StepProblem {
   double g_s, g_z;
-  double h_ss, h_sz, h_zz;  ///< H, negative definite (contract)
+  double h_ss, h_sz, h_zz;  ///< H, negative definite; solve_step() does not check this
   std::array<Bound, kBounds> bounds;
 };
 
@@ -38,7 +38,8 @@ struct FeasibleStep {
   double d_s = 0.0, d_z = 0.0;
   ActiveSet active;
   std::array<double, 2> multiplier{};  ///< multipliers of active.first and active.second, ≥ 0
-  bool feasible = true;  ///< false if no point satisfies all bounds; d then violates them least
+  /// False if no candidate satisfies all bounds. d is then the candidate that violates them least.
+  bool feasible = true;
 };
 
 FeasibleStep solve_step(const StepProblem& p, const ActiveSet& guess);

@@ -2,9 +2,9 @@
 //
 // If a tip meets the fillet of the mating gear before the flanks touch, the flanks alone give a
 // wrong transmission error TE. The search [T8.2] is therefore repeated with the fillets as
-// additional patches. It gives TE_f ≥ TE. The difference gives the gap between the flanks:
+// additional patches. It gives TE_f. The difference gives the gap between the flanks:
 //
-//   early = (TE_f − TE) h   mm, where h is the arm of the normal at the touch about axis 2, mm
+//   early = |TE_f − TE| h   mm, where h is the arm of the normal at the touch about axis 2, mm
 #pragma once
 
 #include <optional>

@@ -96,7 +96,7 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
 // greatest T at the preceding position, and the other is the branch with the greatest T at the
 // following position. Both branches are followed to the point between the positions, and the
 // greater TE is used. If both positions have the same branch, it is followed from the nearer
-// position only.
+// position only. On wavy flanks, no branch is followed, and all flanks are searched instead.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)

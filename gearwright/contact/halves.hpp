@@ -84,7 +84,7 @@ struct HalvesContact {
   ContactResult image{};
   /// The rotations and the TE of the whole gears at every position. The point of contact is NaN,
   /// because each half touches at a point of its own. `kind` comes from half A. If only half B
-  /// touches at an edge, `kind` comes from half B.
+  /// touches at an edge, `kind` comes from half B. If a half has no contact, `kind` is none.
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 

@@ -20,7 +20,7 @@ constexpr double kLastStep = 1e-6;
 // below the T of the two pairs by less than this angle, rad.
 constexpr double kClose = 1e-7;
 constexpr int kMostRounds = 30;  // two are usual
-constexpr int kNewton = 5;       // rounds with Newton steps; later rounds use within()
+constexpr int kNewton = 5;       // last round with Newton steps; later rounds use within()
 
 // T between two positions, from its values and slopes. t is in steps from the first position.
 struct Cubic {
@@ -30,7 +30,7 @@ struct Cubic {
   double bend(double t) const { return 2 * a + 6 * t * b; }
 };
 
-// Returns the root of f between 0 and 1. f must have opposite signs at 0 and 1.
+// Returns the approximate root of f between 0 and 1. f must have opposite signs at 0 and 1.
 template <class F>
 double root_of(const F& f) {
   double lo = 0.0, hi = 1.0;
@@ -74,8 +74,9 @@ struct LaneTrack::Candidate {
     if (stays == stayed) (low ? hi : lo).value *= 0.5;
     stays = stayed;
   }
-  // Returns the next t, within the interval. Near an extreme, T may consist of two nearly straight
-  // lines that meet at a kink. The next t is therefore the crossing of the tangents at both ends.
+  // Returns the next t, within the interval. For a handover, it is the root of the secant. Near an
+  // extreme, T may consist of two nearly straight lines that meet at a kink. The next t of an
+  // extreme is therefore the crossing of the tangents at both ends.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;

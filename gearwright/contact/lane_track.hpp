@@ -21,14 +21,15 @@ namespace gearwright::detail {
 
 class LaneTrack {
  public:
-  /// Returns none if the axes are crossed, if LaneSearch does not apply to the flanks, or if T may
-  /// have several maxima on a flank.
+  /// Returns none if the axes are crossed, if LaneSearch does not apply to the flanks, if T may
+  /// have several maxima on a flank, or if no touch is found at a position.
   static std::optional<LaneTrack> of(Transmission& transmission, double first, int n);
 
   /// Returns the same touches as Transmission::over_a_pitch().
   const std::vector<PairTouch>& touches() const { return best_; }
   /// Returns the same extremes as continuous_extremes(). Returns none if a branch that begins or
-  /// ends has the greatest T at that rotation, or if a search does not converge.
+  /// ends has the greatest T at that rotation, or if a third tooth pair may have the greatest T at
+  /// a handover. Also returns none if LaneSearch did not find a touch or does not converge.
   std::optional<CurveExtremes> extremes() const;
 
  private:

@@ -41,7 +41,7 @@ struct Contact : ContactResult {
 ///
 /// Units     mm, rad
 /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
-///           `errors.cutter_lead[N]` as check_cutter_lead
+///           `errors.cutter_lead[N−1]` as check_cutter_lead
 Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});

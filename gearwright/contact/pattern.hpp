@@ -16,8 +16,9 @@
 namespace gearwright {
 
 struct FlankRaster {
-  std::vector<double> diameter;  ///< mm, diameters of the rows, ascending
-  std::vector<double> height;    ///< mm, z of the columns in the gear's own frame, ascending
+  /// mm, diameters of the rows, ascending. On a rack, heights above the datum line.
+  std::vector<double> diameter;
+  std::vector<double> height;  ///< mm, z of the columns in the gear's own frame, ascending
   /// mm, in the order [row · columns + column]; infinite where the mating flank is never opposite.
   std::vector<double> gap;
 
@@ -40,7 +41,10 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
                                            const RasterSize& size = {},
                                            Progress* progress = nullptr);
 
-/// The gap of tooth pair k on the flank of gear 1, at a rotation of gear 1 in the housing.
+/// The gap of tooth pair k on the flank of gear 1, at a rotation of gear 1 in the housing. All gaps
+/// are infinite if no tooth pair touches at this rotation.
+///
+/// Domain    a raster of 2 × 2 or more (contract)
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});
 
 }  // namespace gearwright

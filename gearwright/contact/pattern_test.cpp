@@ -61,8 +61,8 @@ TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   EXPECT_NEAR(r.at(4, 6), 0.02 / 4, 2e-5);
 }
 
-// The raster of gear 2 has its own frame. An edge contact at the lower end of its face is marked
-// there.
+// The raster of gear 2 has its own frame. An edge contact at an end of its face is marked at this
+// end: the lower end if gear 1 drives, and the upper end if gear 2 drives.
 TEST(Pattern, heights_belong_to_their_gear) {
   for (const bool second : {false, true}) {
     auto p = testing::involutes(20, 41, 0);

@@ -34,7 +34,8 @@ struct RadialJet {
 };
 
 /// The rotation of a flank per mm of material removed along the normal, k = 1/arm, and the
-/// derivatives of k with respect to u.
+/// derivatives of k with respect to u. The derivatives are exact for involutes and rack circles,
+/// and are set to 0 for other curves.
 struct TurnPerRemoval {
   double k, d1, d2;  ///< rad/mm
 };

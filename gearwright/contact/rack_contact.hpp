@@ -21,7 +21,7 @@ struct RackContact : ContactResult {
   RackContact() = default;  ///< empty; contact() fills it
   /// The contact of the non-working flanks at the same positions.
   ContactResult non_working;
-  /// Peak to peak of the continuous curve; none if contact is lost at some rotation.
+  /// Peak to peak of the continuous curve; none if contact is lost at a position.
   std::optional<Angle> continuous_span;
   std::optional<Angle> min_play;  ///< least play of the rack, as travel/r; < 0 if the teeth jam
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive

@@ -38,7 +38,7 @@ ContactErrors misaligned() {
 }
 
 // (1) Without errors, travel and rotation are proportional at every centre distance. The rack lags
-// by half of the backlash.
+// by half of the backlash. If it drives, it leads by half of the backlash.
 TEST(RackContact, TransmitsMotionExactlyWithoutErrors) {
   for (const double helix : {0.0, 20.0, -35.0}) {
     for (const double more : {0.0, 0.4}) {

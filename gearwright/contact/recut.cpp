@@ -14,7 +14,8 @@ namespace gearwright {
 namespace {
 
 // Returns the parameter near `was` at which the curve has the radius ρ. The bracket grows only
-// while the radius is monotone, because beyond a cusp the radius changes in the opposite sense.
+// while the radius is monotone, because beyond a cusp the radius changes in the opposite sense. If
+// the bracket does not reach ρ, the function returns its last end.
 double same_radius(const Curve& curve, double was, double rho, bool grows, double width) {
   const auto radius = [&](double t) { return curve.point(t).norm(); };
   const double more = rho - radius(was);
@@ -22,8 +23,8 @@ double same_radius(const Curve& curve, double was, double rho, bool grows, doubl
   const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
   double last = was;
   // The first step, relative to the width of the arc. Usual corrections of the lead move the ends
-  // by less than a few such steps. Each step is twice as long as the previous one, so 19 steps
-  // reach half the width.
+  // by less than a few such steps. Each distance from `was` is twice the previous one, so 19 steps
+  // reach a quarter of the width.
   constexpr double kFirstStep = 1e-6;
   for (double step = kFirstStep * width; step < 0.5 * width; step *= 2) {
     const double next = was + sense * step;

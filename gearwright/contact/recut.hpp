@@ -16,7 +16,7 @@ namespace gearwright {
 /// Domain    0 < λ + Δλ < π; Δλ = 0 for a spur gear (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 /// Returns the arc that the gear's rack cuts with the changed lead angle. This arc replaces the
-/// flank arc `arc`, and its ends have the same radii.
+/// flank arc `arc`. Its ends have the same radii, or the nearest radii that the new curve reaches.
 ///
 /// Domain    an arc that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);

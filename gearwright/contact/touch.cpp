@@ -63,7 +63,8 @@ bool make_concave(detail::StepProblem& p) {
   return flat;
 }
 
-// Returns the azimuth of flank 1 at s in the section z = 0, in the housing.
+// Returns the azimuth of flank 1 at s in the section z = 0 at the rotation of the field, in the
+// frame N.
 double azimuth_of(const GapField& field, double s) {
   const FlankPatch& a = field.one();
   const PolarJet p = a.profile.at(s);

@@ -18,7 +18,7 @@ namespace gearwright {
 
 struct Touch {
   enum class Stop {
-    converged,  ///< the last step was below 1e-7 of the patch and is included in the result
+    converged,  ///< the last step, included in the result, was below 1e-7 of half the patch
     no_room,    ///< D is empty
     too_long    ///< the steps did not converge
   };
@@ -56,10 +56,12 @@ class TouchSearch {
   /// Searches from the best of nine points. If this search fails, cold() is used. The result has
   /// the greatest T if T has only one maximum.
   Touch from_middle() const;
-  /// Searches the whole flank, from every peak of a grid and from both end sections of D.
+  /// Returns the first result of every_maximum(), which has the greatest T. If every_maximum() is
+  /// empty, the result is not found().
   Touch cold() const;
-  /// Returns all local maxima of the whole flank, the greatest first. Uneven flanks have a maximum
-  /// for each crest, so their searches start from maxima over the profile at several heights.
+  /// Returns all local maxima of the whole flank, the greatest first. The searches start from every
+  /// peak of a grid and from the end sections of D. Uneven flanks have a maximum for each crest, so
+  /// their searches start from maxima over the profile at several heights.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography or form waves, so that T may have many maxima.

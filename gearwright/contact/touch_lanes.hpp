@@ -53,8 +53,9 @@ class LaneSearch {
   /// Returns none if a flank is not an involute, or if its modifications are not polynomials.
   static std::optional<LaneSearch> of(const Transmission& transmission);
 
-  /// Searches for touches of tooth pair 0. Each search starts at `touch.s` and `touch.z` with the
-  /// active bounds `touch.active`. If no touch is found, `fields` is set to −1.
+  /// Searches for touches of tooth pair 0. Each search starts at `touch.s` and `touch.z`. If the
+  /// start is a touch, its active bounds are tried first, and otherwise those of the touch found
+  /// last. If no touch is found, `fields` is set to −1.
   void solve(std::vector<PairTouch>& touches) const;
 
  private:

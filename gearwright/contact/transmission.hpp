@@ -8,7 +8,8 @@
 // Only tooth pair 0 is followed from its first to its last contact, because the other pairs repeat
 // its motion with a delay of whole pitches. On convex flanks, the greatest T is followed across the
 // borders of patches. On other flanks, every pair of patches is followed separately, and the
-// greatest T of all pairs of patches is used.
+// greatest T of all pairs of patches is used. If wavy() is true, no touch is followed, and searches
+// start at the crests of the waves instead.
 #pragma once
 
 #include <array>
@@ -80,7 +81,8 @@ class Transmission {
   /// Sets the field to the rotation of the touch, and returns the field and its derivatives at
   /// (s, z). The parameter on flank 2 is exact to rounding.
   GapJet jet_at(const PairTouch& t, double s, double z);
-  /// True if T has many maxima because of form waves. The maxima are then found in closed form.
+  /// True if T has many maxima because of form waves, and if WaveCrests can compute these maxima in
+  /// closed form.
   bool wavy() const { return !crests_.empty(); }
   int farthest_pair() const { return farthest_pair_; }  ///< greatest |k| of a pair that can touch
   TouchCount count() const;

@@ -18,7 +18,8 @@ TEST(Transmission, conjugate_flanks_have_no_error) {
   }
 }
 
-// With more backlash, gear 2 lags by half of the increase at every position.
+// With more backlash, gear 2 lags by half of the increase at every position. If gear 2 drives, it
+// leads by this angle.
 TEST(Transmission, backlash_is_a_constant) {
   auto p = testing::involutes(20, 41, 0);
   p.place.center_distance += 0.2;

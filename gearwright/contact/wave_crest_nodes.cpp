@@ -42,7 +42,9 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double roll2_s = roll2_s_.along_x(y).at(x);
   const double roll2_ss = roll2_ss_.along_x(y).at(x);
   // The points of flank 1 that lie opposite the ends of flank 2. A parabola in s approximates L of
-  // the opposite point of flank 2. If the parabola does not reach an end, its vertex is used.
+  // the opposite point of flank 2. If the parabola does not reach an end, the result is a point
+  // beyond its vertex: twice as far from the ridge as where the tangent at the ridge reaches the
+  // end.
   const auto opposite = [&](double end) {
     const double rest = end - roll2;
     const double root = roll2_s * roll2_s + 2 * roll2_ss * rest;

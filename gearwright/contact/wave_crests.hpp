@@ -40,7 +40,7 @@ class WaveCrests {
     double s, z;  ///< on flank 1
   };
   /// Returns the crests of tooth pair 0 at a rotation, in order of z. Crests whose T is below
-  /// `least` may be missing.
+  /// `least` may be missing. There are no crests far beyond the path of contact.
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
@@ -78,8 +78,8 @@ class WaveCrests {
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // Returns the path of contact for an error of the centre distance only. If the patches never
-  // touch, the function returns none, and apart() becomes true.
+  // Returns the path of contact for an error of the centre distance only, or none if it is empty.
+  // If the patches lie so far apart that they never touch, apart() also becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
   // Moves the ends of the path to the exact ridges opposite the ends of flank 2. Returns false if a
@@ -90,7 +90,7 @@ class WaveCrests {
   std::optional<Ridge> ridge_at(GapField& field, const Path& path, double x, double y) const;
   std::optional<Ridges> ridges_on(GapField& field, const Path& path) const;
   static Biquadratic interpolate(const Ridges& ridges, double Ridge::*value);
-  // Sets the range of φ in which the flanks touch.
+  // Sets the range of φ in which the flanks touch, extended beyond both ends.
   void set_rotations(const Ridges& ridges, const Path& path);
   // Sets the amplitudes and phases of the waves, and the heights z at which T is examined.
   void set_waves(const Ridges& ridges, const Path& path);

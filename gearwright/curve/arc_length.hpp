@@ -39,7 +39,8 @@ class ArcLength {
   double parameter(double s) const;
   /// The arc length s at the parameter t. If t lies outside [t0, t1], the nearer end is used.
   double length_to(double t) const;
-  /// Error estimate for L, mm: the sum of the first neglected terms of all panels.
+  /// Error estimate for L, mm. Each panel contributes the greatest of the last three coefficients
+  /// of its speed, divided by the degree of the series.
   double error_estimate() const { return error_estimate_; }
 
   int panels() const { return static_cast<int>(panels_.size()); }

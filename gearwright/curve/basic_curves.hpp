@@ -156,7 +156,8 @@ class OffsetCircle final : public Curve {
   double direction() const { return direction_; }
   double radius() const { return radius_; }
   /// |t − γ| of the two points at which a ray from the gear axis is tangent to the circle. There,
-  /// cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside the circle.
+  /// cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside or on the
+  /// circle.
   std::optional<double> tangent_ray() const;
 
  private:

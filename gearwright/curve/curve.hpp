@@ -37,7 +37,7 @@ class Curve {
   /// The parameter between t_lo and t_hi at which |W| = ρ. If ρ is outside the range of |W|, the
   /// nearer end is returned. A subclass may have a closed form.
   ///
-  /// Domain  |W| increases from t_lo to t_hi (contract)
+  /// Domain  |W| increases from t_lo to t_hi
   virtual double parameter_at_radius(double rho, double t_lo, double t_hi) const;
   virtual bool radius_is_closed_form() const { return false; }
 };

@@ -59,8 +59,8 @@ void fill(Random& random, const Mode& mode, std::size_t from, std::size_t to, Ba
   }
 }
 
-// ζ has no upper limit, so 1/(1 + |ζ|) is compared. This is the ratio of the smaller curvature
-// radius to the larger one, and it does not amplify their rounding errors.
+// |ζ| has no upper limit, so 1/(1 + |ζ|) is compared. This is the ratio of the lower to the higher
+// speed of the contact over the two flanks, and it does not amplify the rounding errors of ζ.
 double compared(int column, double v) {
   return column == Batch::sliding ? 1.0 / (1.0 + std::abs(v)) : v;
 }

@@ -40,7 +40,7 @@ std::optional<double> mean_deflection(const RatedPair& pair, const Rating& ratin
 
 /// Returns the peak-to-peak variation of the deflection, µm. If every mm of contact line has the
 /// same stiffness, this variation is the transmission error of perfect teeth under load. The result
-/// is absent if the row has no deflection, or if its teeth lose contact.
+/// is absent if `deflection` is absent, or if the teeth lose contact.
 ///
 /// Formula   δ_pp = δ ε_α (1/λ_min − 1/λ_max); [T9.16]
 std::optional<double> noise_of(const DesignRow& row, const std::optional<double>& deflection);

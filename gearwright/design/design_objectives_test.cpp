@@ -3,8 +3,8 @@
 // 1 if the load reserves are equal, and the safety factors are divided by their limits; (4) the
 // cost is the mass times a power of the relative width, and is the mass if the exponent is 0; (5)
 // the noise is the spread of the deflection over the counted contact lines, and it is 0 if the
-// overlap ratio is a whole number; (6) designs rank by each objective, and the front of three
-// contains exactly the designs that no other design dominates.
+// overlap ratio is a whole number greater than 0; (6) designs rank by each objective, and the front
+// of three objectives contains exactly the designs that no other design dominates.
 #include "gearwright/design/design_objectives.hpp"
 
 #include <gtest/gtest.h>

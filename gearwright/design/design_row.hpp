@@ -45,7 +45,8 @@ struct DesignRow {
   /// η if gear 1 drives. Absent if it was not requested, if the contact ratio is below 1, or if
   /// gear 1 cannot drive.
   std::optional<double> efficiency{};
-  std::optional<double> noise{};  ///< µm: design/design_objectives.hpp; absent if not rated
+  std::optional<double> noise{};  ///< µm: design/design_objectives.hpp; absent if not rated, or if
+                                  ///< the teeth lose contact
   /// S_H and S_F of each gear. Absent if they were not requested, or if the standard has no form
   /// factor for the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
@@ -64,8 +65,9 @@ struct DesignRow {
   std::optional<double> max_sliding() const;
 };
 
-/// Returns the row of a trial, or none if the trial is not feasible. If `detail` is
-/// RegionDetail::point, the values of the region are omitted. Their computation takes a hundred
+/// Returns the row of a trial, or none if its region has no usable point. A row whose safety
+/// factors are too low, or whose drawing is rejected, is also returned; see short_of(). If `detail`
+/// is RegionDetail::point, the values of the region are omitted. Their computation takes a hundred
 /// times as long as that of all other values. The shifts are the same for both values of `detail`.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
@@ -77,8 +79,9 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& 
 bool has_design(const ShiftGraph& graph);
 /// Returns the row at any point of the graph. A working angle must exist there (contract).
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
-/// Returns the cost of a design for one objective. Smaller costs are better. Only rows on the line
-/// of balanced strength have costs, and all other rows are ranked last.
+/// Returns the cost of a design for one objective. Smaller costs are better. A row that is not on
+/// the line of balanced strength, or lacks the value of the objective, has no cost. Rows without a
+/// cost are ranked last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
 /// The key by which rows are sorted. The objective is compared first, then contact ratio, module,
 /// z1, z2 and trial number. No two rows have equal keys. The row with the smaller key comes first.
@@ -98,7 +101,8 @@ bool ranks_before(const SearchProblem& problem, Objective objective, const Desig
 /// cost never dominates another row.
 bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b);
 
-/// The rows that no other row dominates. Rows can be added in any order.
+/// The rows that no other row dominates. Rows can be added in any order. A row without a cost for
+/// one of the objectives is left out.
 class ParetoFront {
  public:
   explicit ParetoFront(const SearchProblem& problem) : problem_(&problem) {}

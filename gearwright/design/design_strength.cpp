@@ -39,8 +39,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
 }
 
 // Returns the cut of the internal gear. The result is absent if the pair has no closed form. This
-// is the case if the tip of the pinion reaches the fillet, if the tips are shortened, or if the
-// internal gear has an allowance.
+// is the case if the tip of the pinion reaches the fillet, if the tips are shortened, if the
+// internal gear has an allowance, or if the problem has no store of cuts.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)

@@ -31,7 +31,8 @@ Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 /// Returns the row with its safety factors. The face width is the smallest one of the band with
 /// sufficient safety factors. If there is no such width, the greatest width of the band is used. If
-/// drawings are checked, the row also contains the verdict on the drawing.
+/// drawings are checked, the row also contains the verdict on the drawing. If pair_of_design()
+/// returns an error, the row is returned unchanged.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 /// Returns the first limit that the row violates: a safety factor that is too low or has no value,
 /// or the verdict. The result is absent if the row meets all limits.

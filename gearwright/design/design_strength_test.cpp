@@ -162,7 +162,7 @@ TEST(DesignStrength, SafetiesTakeAwayWhatFallsShort) {  // (2)
   EXPECT_EQ(counts.rejected[static_cast<std::size_t>(Limit::safety_flank)] +
                 counts.rejected[static_cast<std::size_t>(Limit::safety_root)],
             static_cast<std::int64_t>(count - kept.size()));
-  // A design with sufficient safety factors is found even if only one design is requested.
+  // feasible() accepts every trial that has a design with sufficient safety factors.
   for (const DesignRow& row : kept) EXPECT_TRUE(search.feasible(row.trial));
   for (const DesignRow& row : rows) EXPECT_TRUE(row.whole);
 }

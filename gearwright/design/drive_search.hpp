@@ -60,8 +60,8 @@ struct DriveSearchProblem {
   TeethBand stages{2, 2};  ///< number of stages of a train
   TeethBand pinion{17, 40}, wheel{17, 150};
   /// Greatest permissible difference between the sums of teeth of meshes with a common centre
-  /// distance. The default is 1. If two rings mesh with one planet gear, the default is the number
-  /// of planets. For a train, the default is no limit.
+  /// distance. The default is 1. If two rings mesh with one planet gear, the default is the
+  /// greatest number of planets. For a train, the default is no limit.
   std::optional<int> coaxial_teeth;
   bool coprime = false;               ///< true if the gears of a mesh must have no common factor
   double neighbour_clearance = 1.0;   ///< lower limit of c  modules
@@ -151,7 +151,7 @@ struct DriveCandidate {
 struct DriveSearchResult {
   std::int64_t tested = 0;
   std::array<std::int64_t, kDriveLimitNames.size()> rejected{};
-  std::vector<DriveCandidate> found;  ///< in the order of sort_by_objective()
+  std::vector<DriveCandidate> found;  ///< in the order of sort_by_objective() if `is_complete`
   bool is_complete = true;  ///< false if a search for trains was stopped at one of its limits
 };
 
@@ -167,9 +167,11 @@ inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 /// Formula   all meshes of a set have the same module. Meshes with a common centre distance must
 ///           therefore have nearly equal sums of teeth, with a difference of at most
 ///           `coaxial_teeth`
-/// Domain    bands from 1 to kMostDriveTeeth (contract)
-/// Errors    `drive.fixed`, `drive.input` or `drive.output` if the set has no such member, or if
-///           one member has two of these functions
+/// Domain    for a set, bands of teeth from 1 to kMostDriveTeeth; for a limited centre distance, a
+///           train with `module_per_stage` = false (contract)
+/// Errors    for a set, `drive.fixed`, `drive.input` or `drive.output` if the set has no such
+///           member, if several members have one of the first two functions, or if one member has
+///           two functions
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
 /// Sets the fixed, input and output members that the problem does not give. In a set with two rings
 /// (wolfrom) or two suns, one ring or sun is fixed, and the other is the output. For other kinds,
@@ -182,8 +184,9 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
 /// from stage to stage. Both gears of an intermediate shaft then have the same hand, and their
 /// axial forces have opposite directions.
 double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
-/// True if this train has a coaxial output. The conditions are that `coaxial_teeth` is given, that
-/// the train has several stages with one module, and that the search chooses the profile shifts.
+/// True if this train has a coaxial output. The conditions are that `coaxial_teeth` and modules are
+/// given, that the train has several stages with one module, and that the search chooses the
+/// profile shifts.
 bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
 /// Least and greatest sum of the profile shifts of a stage with a limited centre distance. Without
 /// a limit and with usual thickness allowances, shift_trials() gives sums from 0 to 2.
@@ -233,7 +236,8 @@ void sort_by_objective(const DriveSearchProblem& problem, std::span<T> list,
   }
 }
 
-/// Returns the indices of the candidates that no other candidate dominates in all objectives.
+/// Returns the indices of the candidates that no other candidate dominates in all objectives. The
+/// list is empty if there is only one objective.
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
                                       const std::vector<DriveCandidate>& candidates);
 

@@ -59,7 +59,9 @@ struct Fit {
 ///   gears and Σ                a
 ///   gears and a                both Σ
 ///   gears                      minimum centre distance and its Σ
-///   helix angles, a and Σ      x1 + x2
+///   gears and α_wn             a and Σ; only if the axes cross
+///   helix angles, a and Σ      x1 + x2; if Σ is absent, it is the angle at which a is the minimum
+///                              centre distance
 ///   a and Σ                    helix angles and x1 + x2 of the designs at their minimum centre
 ///                              distance, with the given α_wn, helix angle or shifts; if none of
 ///                              these is given, x1 + x2 = 0

@@ -47,10 +47,11 @@ struct Hump {
 
 namespace detail {
 
-/// Returns the greatest possible value of a concave function between a and b. The function is known
-/// at a, x, y and b, where a < x < y < b. If f(a) or f(b) is unknown, the argument is −∞. The
-/// result uses that, outside the interval between two points, a concave function lies below the
-/// secant through these points.
+/// Returns the greatest possible value of a function between a and b. The second derivative of the
+/// function is at most `bend`, and the function is known at a, x, y and b, where a < x < y < b. If
+/// f(a) or f(b) is unknown, the argument is −∞. A concave function lies below the secant through
+/// two points outside the interval between these points. A term with `bend` allows for functions
+/// that are not concave.
 inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
                               double b, double f_b, double bend) {
   const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };

@@ -78,7 +78,8 @@ struct Empty {
   std::vector<std::string> useless;  // members that must not
 };
 
-// 20 … 24 teeth, module 2 and ratios of about 2 at 66 mm. One limit rejects all designs.
+// 20 … 24 teeth, module 2 and ratios of about 2 at 66 mm. This search has designs, and each case
+// changes it so that none is left.
 SearchProblem small() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -266,12 +267,12 @@ TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
   EXPECT_NEAR(std::stod(found.changes[0].to), 0.25, 1e-6);
   EXPECT_TRUE(found.bounded.empty());
   EXPECT_FALSE(found.stopped);
-  // Every limit and both bands are tried, whether they help or not, and each is named once.
+  // These limits and bands are tried, whether they help or not, and each is named once.
   for (const char* field :
        {"limits.tip_clearance", "limits.contact_ratio", "ratio", "pinion_teeth"})
     EXPECT_EQ(std::count(found.tried.begin(), found.tried.end(), field), 1) << field;
-  // The number of checks is at most the number of trials that pass the filter at the far end of
-  // each quantity, plus the checks of the bisections.
+  // Five quantities may change. For each of them, the trials that pass the filter are at most as
+  // many as those with 5 to 40 pinion teeth. The bisections add fewer than 500 checks.
   std::int64_t passed = 0;
   for (SearchProblem far : {p, p, p, p, p}) {
     far.pinion_teeth = {5, 40};

@@ -113,7 +113,7 @@ struct SearchRating {
   std::optional<double> web, rim;       ///< b_s, s_R  mm, for a gear body with rim and web
   std::optional<double> power_kW;       ///< P, if given instead of the torque
   std::shared_ptr<RingCuts> ring_cuts;  ///< store for the cuts of internal gears, created by the
-                                        ///< search; if absent, each cut is computed when needed
+                                        ///< search; if absent, internal pairs are cut and mounted
 };
 
 /// Drawing tolerances, which are the same for all designs.

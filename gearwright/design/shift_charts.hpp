@@ -53,7 +53,8 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 struct IdenticalGears {
   ShiftLimits limits;
   std::array<std::optional<double>, 5>
-      contact_ratio;  ///< ε_α; absent without a working pressure angle or a possible shift
+      contact_ratio;  ///< ε_α; absent without a working pressure angle or a possible shift, and if
+                      ///< shortened tips end inside their base circles
 };
 /// Returns pairs of identical gears with the rack of gear 1 and opposite hands, on parallel axes.
 /// The problem gives the kind of mounting. The centre distance follows from the shifts.

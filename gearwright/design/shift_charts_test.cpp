@@ -126,7 +126,8 @@ TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
   EXPECT_GT(none, 300);
 }
 
-// The chart describes single gears, so the requirements on the pair of the problem have no effect.
+// The chart describes pairs of identical external gears, so the ratio, the centre distance and the
+// rack of the wheel of the problem have no effect.
 TEST(ShiftCharts, TheProblemsDistanceRatioAndWheelRackChangeNothing) {
   SearchProblem problem = spur();
   const auto plain = identical_gears_chart(problem, 0, Angle(), 12, 30);

@@ -106,8 +106,8 @@ class ShiftGraph {
   /// section of a gear.
   double weight(std::size_t gear) const { return weight_[gear]; }
   double overlap_of(double face) const;  ///< ε_β of a face width in modules; 0 on crossed axes
-  /// Returns the values that depend on Σ alone.   Domain: within sums() (contract: a working angle
-  /// exists)
+  /// Returns the values that depend on Σ alone.   Domain: within sums(), so that a working angle
+  /// exists
   SumPlace place(double sum) const;
   /// The range of Σ that the first `limits` limits permit. Limits that depend on x1 are ignored.
   struct Sums {

@@ -39,8 +39,8 @@ void add_limit(const SearchProblem& problem, std::vector<Knob>& knobs, const cha
 
 /// Adds the numbers on which the safety factors depend.   Domain: designs are rated (contract)
 void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);
-/// Returns the steels of the built-in table that are stronger than the steel of gear 1, the weakest
-/// first. The list is empty if the material is a plastic.
+/// Returns the steels of the built-in table with a greater σ_Hlim or a greater σ_Flim than the
+/// steel of gear 1, the weakest first. The list is empty if plastics are rated.
 std::vector<Material> stronger_steels(const SearchRating& rating);
 /// Returns the design with the greatest safety factors, compared with the required ones. At most
 /// `most_questions` trials are considered, in random order.

@@ -46,7 +46,7 @@ class TrainStrength {
   /// safety factors.
   bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
   /// Returns the face width, mm, with which this stage has the required safety factors by the fits.
-  /// The width in `candidate` is not used. Returns 0 if the factors do not depend on the width.
+  /// The width in `candidate` is not used. Returns 0 if neither factor grows with the width.
   ///
   /// Formula   ln S_H = A + (p − 1/2) ln w and ln S_F = B + (q − 1) ln w, where p and q are the
   ///           coefficients of ln w in the fits; b = T_k/(w z_1) for the smaller w

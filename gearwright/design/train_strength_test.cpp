@@ -10,8 +10,8 @@
 namespace gearwright {
 namespace {
 
-// A train of two stages with safeties by hand formulas: S_H² = A/(κ z_1^0.6), S_F = B/(w u^0.5),
-// and each is multiplied by `scatter`.
+// A train of two stages with safeties by hand formulas: S_H² = A/(κ z_1^0.6), S_F = B/(w u^0.5).
+// S_H and S_F are multiplied by e^s, where s is random within ±`scatter_range`.
 RatedTrain law_train(std::mt19937& random, double scatter_range) {
   std::uniform_int_distribution<int> pinion(17, 40), wheel(40, 150), width(15, 60);
   std::uniform_real_distribution<double> scatter(-scatter_range, scatter_range);

@@ -48,7 +48,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
 /// Returns the normal tip thickness s_an for the shift x and the tip alteration k, modules. If the
 /// flanks intersect below the tip, s_an is negative. [T9.3]
 ///
-/// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
+/// Domain    |r + h_a + x + k| ≥ |r_b|
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
 /// Returns the greatest x within the limits for the tip alteration k. If k < 0, the result may

@@ -25,8 +25,9 @@ enum class Minimiser {
 };
 
 /// A search ends after `evaluations` evaluations, or earlier when a step changes the best value of
-/// f too little. The change is then less than `gain`, or less than the fraction `relative_gain` of
-/// this value. A search of the whole box makes at least two evaluations.
+/// f too little. The change is then less than `gain`, less than the fraction `relative_gain` of
+/// this value, or 0 if `relative_gain` > 0. A search of the whole box makes at least two
+/// evaluations.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0
@@ -38,8 +39,8 @@ struct MinimiserTask {
 
 /// The best point found from `start`. Exceptions of f reach the caller.
 ///
-/// Domain    lo, hi and step are as long as start; lo ≤ start ≤ hi, lo < hi, evaluations ≥ 1
-///           (contract)
+/// Domain    lo, hi and step are as long as start, which is not empty; lo ≤ start ≤ hi, lo < hi,
+///           evaluations ≥ 1 (contract)
 std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vector<double> start);
 
 }  // namespace gearwright

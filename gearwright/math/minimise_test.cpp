@@ -1,6 +1,7 @@
 // Laws: (1) no trial leaves the box, and there are at most `evaluations`; (2) the returned point is
 // the best trial; (3) the minima of known functions are found; (4) an exception of f reaches the
-// caller; (6) infinite values and NaN do not stop the search. Oracle (5): the trials of NLopt 2.7.1.
+// caller; (6) infinite values and NaN do not stop the search. Oracle (5): the trials of NLopt
+// 2.7.1.
 #include "gearwright/math/minimise.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +111,7 @@ TEST(Minimise, FindsTheMinimumBesideInfiniteValues) {
       for (const Minimiser how : kBoth) {
         MinimiserTask task = task_of(n, -1.0, 1.0, 2000);
         const Point p(n, 0.3);
-        // Finite only in the half of the box that contains the minimum and the start.
+        // Finite only in the part x_0 ≥ 0.1 of the box, which contains the minimum and the start.
         task.f = [&](const Point& x) { return x[0] < 0.1 ? lost : creased(x, p); };
         const Point found = minimise(how, task, Point(n, 0.5));
         ASSERT_EQ(found.size(), n);

@@ -56,14 +56,15 @@ double evaluate_polynomial(std::span<const double> c, double x);
 /// sampled, so close roots are not missed.
 ///
 /// Accuracy  each root is bisected until its bracket is two neighbouring doubles
-/// Domain    lo ≤ hi, finite coefficients (contract)
+/// Domain    lo ≤ hi (contract); finite coefficients
 std::vector<double> polynomial_roots(std::span<const double> c, double lo, double hi);
 
 // Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket. If a step would leave the bracket or be longer than half
-// the previous step, the bracket is bisected instead. newton_in_bracket() is a template over the
-// scalar, like the functions of involute.hpp.
+// Every evaluation narrows the bracket. If a step would leave the bracket, the bracket is bisected
+// instead. From the third evaluation on, it is also bisected if a step would be longer than half
+// the previous step. newton_in_bracket() is a template over the scalar, like the functions of
+// involute.hpp.
 
 template <class T>
 struct Slope {

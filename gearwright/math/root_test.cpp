@@ -18,7 +18,8 @@ TEST(Root, closes_its_bracket_on_a_simple_root) {
   EXPECT_LE(std::abs(root.residual), 4 * std::numeric_limits<double>::epsilon());
 }
 
-// TOMS 748 needs 6 to 9 evaluations for a smooth root, and both ends are evaluated twice.
+// TOMS 748 needs 6 to 9 evaluations for a smooth root, in addition to those of both ends.
+// Root::evaluations may exceed the calls of f, because it also counts values that are stored.
 TEST(Root, work_on_smooth_functions) {
   int calls = 0;
   const Root root = find_root([&](double x) { return ++calls, std::exp(x) - 2.0; }, 0.0, 1.0);

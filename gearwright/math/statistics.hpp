@@ -83,7 +83,7 @@ struct SobolIndices {
 /// points of B. For each group, `mixed` contains the values of f at the points of A after the
 /// inputs of the group are replaced by the inputs of B. The indices of a group are computed
 /// from those points at which `a`, `b` and `mixed` have values. None if a group has no such point,
-/// or if the variance of f is at most `least_variance`.
+/// or if the variance of the values in `a` and `b` is at most `least_variance`.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)

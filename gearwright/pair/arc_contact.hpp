@@ -72,6 +72,7 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 /// have no common normal at this centre distance.
 ///
 /// Formula   exact, [T7.16]; the root is bracketed by steps from the first-order angle [T7.17]
+/// Domain    the concave arc has the greater radius (contract)
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
@@ -96,7 +97,8 @@ double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_dis
 /// is < 0 if the tooth becomes thinner. The thickness is measured at the height of the point with
 /// the normal angle θ.
 ///
-/// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
+/// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ) with x + b = ρ sin θ + Δb_F, exact; slope [T8.23]
+/// Domain    |x + b| < ρ (contract)
 double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);
 
 }  // namespace gearwright

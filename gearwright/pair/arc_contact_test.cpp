@@ -56,8 +56,8 @@ TEST(ArcContact, parallel_surfaces_touch_alike) {
   }
 }
 
-// If both centres move along the datum line, the contact point moves by the same amount and nothing
-// else changes.
+// If both centres move along the datum line, the contact point moves parallel to the axes by their
+// displacement divided by cos λ. The contact angle and the rotation offset do not change.
 TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   ArcMeshInput in = mesh(0.05);
   const ArcContact at = arc_contact(in, *contact_angle(in));

@@ -38,7 +38,7 @@ struct ArcPair : MountedGears {
   /// j_n  mm, j_bn/cos θ at the same contact.   Domain: there are contacts
   double normal_backlash() const;
   StatedBacklash stated_backlash() const;  ///< 0 without contact
-  double contact_ratio() const;            ///< ε_β times the number of contacts
+  double contact_ratio() const;  ///< ε_β times the number of contacts; ε_β without contact
   double contact_ratio_true() const { return contact_ratio(); }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
   /// Returns the contact that touches first, which has the least angular backlash.
@@ -61,11 +61,12 @@ constexpr Angle kSamePressureAngle =
 
 /// Mounts two gears. If `distance` is absent, the reference centre distance is used.
 ///
-/// Errors    `gearN.rack` if a gear is an involute gear, or if no convex arc meets a concave arc;
-///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
-///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch; the error
-///           then gives the values at which two arcs touch. Other faults, such as contacts beyond
-///           the usable flanks, are warnings
+/// Errors    `gearN.rack` if a gear is an involute gear; `gear2.rack` if no convex arc meets a
+///           concave arc; `gearN.rack.dedendum` if a gear does not exist; `gear2.normal_module`,
+///           `gear2.helix_angle`, `gear1.helix_angle` (spur); `gearN.rack.…` (the radius of the
+///           concave flank) or `pair.center_distance` if no two arcs can touch. The error then
+///           gives the values at which two arcs touch. Other faults, such as contacts beyond the
+///           usable flanks, are warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 
 }  // namespace gearwright

@@ -35,8 +35,8 @@ std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>&
 
 /// Returns the tip diameter of gear `tip` (1 or 2) that keeps contact on the usable flank of the
 /// mating gear. Contact then ends `margin` mm above the radius at which the usable flank starts.
-/// Returns none if the present tip is already short enough, or if the mating gear has no usable
-/// flank or no outline.
+/// Returns none if the present tip is already short enough, if the mating gear has no usable flank
+/// or no outline, or if no tip diameter has this effect.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 /// Works like the function above, for two gears that need not be mounted.
 std::optional<double> tip_that_clears(const std::array<const Gear*, 2>& gears,

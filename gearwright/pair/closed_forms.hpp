@@ -41,7 +41,8 @@ struct BacklashColumns {
 /// Computes the normal backlash j_n at a centre distance, mm; < 0 if the teeth overlap.
 ///
 /// Formula   j_n cos α_wn = m_n cos α_n (z1 + z2)(inv α_wt − inv α_0); [T2.24], [T2.16]
-/// Domain    whole numbers z1 ≥ 1 and z2, both of magnitude below 1e6; a > |r_b1 + r_b2|
+/// Domain    whole numbers z1 ≥ 1 and z2 ≠ 0, both of magnitude below 1e6; an internal gear has
+///           more teeth than its pinion; a > |r_b1 + r_b2|
 /// Accuracy  ledger row `normal_backlashes`
 void normal_backlashes(const BacklashConstants& constants, const BacklashColumns& columns,
                        double* backlash, std::size_t n);

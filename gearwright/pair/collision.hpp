@@ -29,12 +29,14 @@ const char* to_string(CollisionCause cause);
 /// Two parts of the pair's outlines that collide.
 struct Collision {
   CollisionCause cause;
-  int gear;      ///< the gear whose root or projecting tip collides; 0 for both gears
+  int gear;      ///< the gear whose root, flank or projecting tip collides; 0 for both gears
   double depth;  ///< mm along the common normal. For an overlap, its depth in the middle of the
                  ///< play. For a contact beyond the flank, the distance by which this contact
-                 ///< precedes the contact of the flanks
-  std::optional<OutlineTouch> touch;  ///< position of the contact; none if the collision
-                                      ///< was found from a circle
+                 ///< precedes the contact of the flanks. For the cause `root` and for collisions
+                 ///< found from a circle, the distance beyond the circle or the base tangent point
+  std::optional<OutlineTouch> touch;  ///< position of the contact; none if the collision was found
+                                      ///< from a circle, and for `root` of a crossed internal pair
+                                      ///< and `negative_backlash` of a crossed pair
   std::string message;                ///< one sentence
 };
 

@@ -8,7 +8,8 @@
 //
 // If every mm of contact line has the same stiffness, the deflection of the teeth under a constant
 // load is proportional to 1/λ. The variation of this deflection is the transmission error of
-// perfect teeth under load. λ does not vary if ε_α or ε_β is a whole number.
+// perfect teeth under load. λ does not vary if ε_α is a whole number, or if ε_β is a whole number
+// above 0.
 #pragma once
 
 #include <optional>

@@ -197,7 +197,7 @@ struct Node {
   TipGap gap;
 };
 
-// Returns the gaps at the nodes of a grid, row by row.
+// Returns the gaps at the nodes of a grid, column by column. The columns divide u, the rows v.
 std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
   std::vector<Node> nodes;
   for (int i = 0; i < columns; ++i) {

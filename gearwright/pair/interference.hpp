@@ -14,7 +14,7 @@ void find_form_clearance(InvolutePair& pair);
 /// an end of a face. [T2.23], [T4.37]
 void find_tip_clearance(InvolutePair& pair);
 /// Computes the margins of an internal pair against involute, trochoid and trimming interference.
-/// [T2.27], [T2.28]
+/// The function may add the finding `trochoid` or the warning `trimming`. [T2.27], [T2.28]
 void find_internal_margins(ParallelPair& pair);
 /// Computes the clearances between tip corners and fillets. The function may add the finding
 /// `tip_to_fillet`. [T2.26]
@@ -26,8 +26,10 @@ void find_fillet_clearance(ParallelPair& pair);
 /// Domain    parallel axes, and both gears with a tooth
 void find_collisions(MountedGears& pair, double half_play, double normal_play);
 /// Calls find_collisions() for an involute pair. On crossed axes, tips are compared only with the
-/// mating fillets [T4.33] and, if one gear is internal, with the mating flanks. The function then
-/// removes all findings that do not explain an overlap from `interference`, so it is called last.
+/// mating fillets [T4.33] and, if one gear is internal, with the mating flanks. Unless a tip
+/// extends below a root circle, the function then removes all findings that do not explain an
+/// overlap from `interference`, and adds a finding for each unexplained overlap. It is therefore
+/// called last.
 void find_overlap(ParallelPair& pair);
 void find_overlap(CrossedPair& pair);
 

@@ -52,10 +52,11 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none if contact extends beyond the base tangent point
   SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, ≤ 0; restores the tip clearance of the basic racks
+  double tip_shortening;  ///< k m_n  mm, σ (a − extended centre distance); restores the tip
+                          ///< clearance of the basic racks; > 0 if a exceeds this distance
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
                                          ///< and contact is continuous
-  /// The findings that explain the overlap, or all findings if no overlap was computed.
+  /// The findings that explain the overlap, or all findings if the outlines were not compared.
   std::vector<Interference> interference;
   bool flanks_meet() const;      ///< true if the path has a length and both gears have a
                                  ///< usable flank
@@ -122,8 +123,9 @@ std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input)
 /// Returns the position of two involute gears. Values that are absent in `spec` are computed.
 ///
 /// Domain    both are involute gears (contract)
-/// Errors    as check_partners and complete_place; `gearN.profile_shift` if a gear does not exist,
-///           because the cutter cuts off its teeth or passes through its axis
+/// Errors    as check_partners and complete_place; `gearN.profile_shift` or
+///           `gearN.thickness_allowance` if a gear does not exist, because the cutter cuts off its
+///           teeth or passes through its axis
 Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const PairSpec& spec);
 
 /// Mounts two involute gears. Faults of the mesh, such as interference, do not cause an error but
@@ -131,7 +133,9 @@ Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const P
 ///
 /// Domain    a position from involute_place(); it has no shaft angle for mount_parallel() and has a
 ///           shaft angle for mount_crossed() (contract)
-/// Errors    `pair.center_distance` if there is no working pressure angle
+/// Errors    `pair.center_distance` if there is no working pressure angle on parallel axes, or if
+///           the distance is outside the limits of a crossed pair; `pair.shaft_angle` if a crossed
+///           internal pair is impossible at every distance
 Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
                                     std::optional<double> friction = {});
 Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& place,

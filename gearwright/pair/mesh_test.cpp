@@ -88,8 +88,8 @@ TEST(MeshOfParallelAxes, path_is_clipped_at_the_base_tangents) {
   EXPECT_FALSE(specific_sliding(in, m, 0.0).zeta_2);
 }
 
-// j_bn by hand: the base pitch minus both base thicknesses plus twice the length of the string
-// between the base circles.
+// j_bn by hand: the base pitch minus both base thicknesses ± 2 (r_b2 ± r_b1) inv α_wt. The lower
+// signs are those of an internal gear.
 TEST(MeshOfParallelAxes, backlash) {
   for (const int z2 : {40, -60}) {
     auto in = spur(20, z2);

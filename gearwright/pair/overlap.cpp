@@ -275,7 +275,8 @@ void collide(Kind& p, double half_play, double normal_play, double saddle) {
     const double early = (half_play - touch.gap) * touch.arm;
     // In a crossed internal pair, the flanks overlap beside the line of action by up to
     // saddle_depth(), so a tip may overlap the mating flank by as much. This overlap is not counted
-    // as a collision, because sufficient lead crowning removes it; note_saddle() checks the crowning.
+    // as a collision, because sufficient lead crowning removes it; note_saddle() checks the
+    // crowning.
     const bool of_fillet = gear_with(touch, ArcName::root_fillet) > 0;
     if (early <= (of_fillet ? close : close + saddle)) {
       if (flanks_compared && flank_on_flank(touch) && too_thick_teeth)

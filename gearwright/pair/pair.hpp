@@ -60,7 +60,7 @@ class Pair {
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
   double contact_ratio_true() const;       ///< contact ratio on the usable flanks
-  StatedBacklash stated_backlash() const;  ///< 0 without contact
+  StatedBacklash stated_backlash() const;  ///< 0 for circular arcs without contact
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }
   Pose<Housing, Gear2> pose_2() const { return mounted().pose_2(); }
@@ -70,8 +70,9 @@ class Pair {
 };
 
 /// Mounts any two gears. If `spec` gives neither a centre distance nor a shaft angle, and the helix
-/// angles do not permit parallel axes, the result is a crossed pair, without a warning. Two helical
-/// gears of the same hand are an example, because parallel axes need opposite hands.
+/// angles of two external gears do not permit parallel axes, the result is a crossed pair, without
+/// a warning. Two helical gears of the same hand are an example, because parallel axes need
+/// opposite hands.
 ///
 /// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` if one
 ///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if crossed

@@ -49,7 +49,8 @@ struct RackGeometry {
   double dedendum;              ///< h_f  mm, below the datum line
   double thickness;             ///< s_n  mm, normal, at the datum line
   double fillet_radius;         ///< ρ_f  mm, in the normal section; at most the full radius
-  std::optional<double> length() const;  ///< n p_t  mm, with half a space at both ends
+  std::optional<double> length() const;  ///< n p_t  mm, with half a space at both ends; none if
+                                         ///< RackBar::teeth is absent
   /// The depth below the datum line at which the straight flank joins its fillet, mm. [T2.39]
   double form_depth() const;
 };
@@ -73,7 +74,8 @@ struct RackPair {
                               ///< beyond the base tangent point
   std::optional<double> form_clearance;  ///< (d_Nf − d_Ff)/2  mm
   std::optional<double> speed_rpm;       ///< n_1  1/min
-  std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
+  std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given and
+                                         ///< contact is continuous
   std::vector<Warning> warnings;
 
   double mounting_distance() const { return center_distance + rack.height; }  ///< mm
@@ -101,7 +103,7 @@ struct RackPair {
 /// Mounts a pinion and a rack. Faults of the mesh are warnings.
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41] and [T2.46]
-/// Domain    an external involute gear that exists; H > 0 and the widths > 0
+/// Domain    H > 0 (contract)
 /// Errors    `gear1.teeth` for an internal gear; `gear1.rack` for circular arcs; the errors of
 ///           Gear::why_not() if the pinion has no tooth; `gear2.face_width` outside the limits of a
 ///           gear; `gear2.height` if the back is not below the roots or is beyond 100 000 modules;
@@ -130,7 +132,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
 //         (3) the flank is straight, and the flank of the pinion is the envelope of this flank
 
 /// Half a tooth from root to tip. The x axis is the centre line of the tooth. The member `teeth` of
-/// the outline is the number of teeth of the rack, or 1 if no number is given.
+/// the outline is RackGeometry::teeth.
 ///
 /// Formula   [T2.45]: land at x = −h_f, circle of radius ρ_f (in the transverse section an
 ///           ellipse), line n = s_n/2 − x tan α_n, land at x = h_a

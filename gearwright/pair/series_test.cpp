@@ -110,8 +110,8 @@ ReferencePair<double> pair_of(const Golden& g) {
   return pair;
 }
 
-// The relative error of lengths is at most 1e-14, and the error of angles at most 2e-13°. These
-// limits are a few rounding errors of tan β, even near 80°.
+// The relative error of lengths is at most 2e-14, and the error of angles at most 2e-13°. These
+// limits and those of the coefficients are a few rounding errors of tan β, even near 80°.
 TEST(MinDistanceSeries, golden_values) {
   for (const Golden& g : golden()) {
     const auto s = min_distance_series(pair_of(g));

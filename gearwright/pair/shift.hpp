@@ -109,11 +109,13 @@ double crossed_shift_sum(const ShiftProblem& problem, double a);
 /// Divides a sum of shifts into x1 and x2. In an external pair, the division depends on λ. In an
 /// internal pair, the pinion gets the whole sum. [T2.18a]
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
-/// Computes the absent values of the problem (docs/spec.md, Shift and centre distance).
+/// Computes the absent values of the problem (docs/spec.md, Shift and centre distance). If the
+/// centre distance is absent, an absent shift is 0.
 ///
-/// Errors    `pair.center_distance` if there is no working pressure angle at this distance, or if
-///           the distance exceeds kMaxDistance; `profile_shift` if the given shifts lead to no
-///           centre distance
+/// Domain    on crossed axes without a centre distance, the mounting is `extended` (contract)
+/// Errors    on parallel axes only: `pair.center_distance` if there is no working pressure angle at
+///           this distance, or if the distance exceeds kMaxDistance times the least possible one;
+///           `profile_shift` if the given shifts lead to no centre distance
 Result<ShiftSolution> complete_shifts(const ShiftProblem& problem);
 
 }  // namespace gearwright

@@ -43,8 +43,8 @@ TEST(Shift, opposite_shifts_leave_the_reference_distance) {
   EXPECT_EQ(solved(p).center_distance, 60.0);
 }
 
-// The shift is converted to a and back. dx/da is about 1. Near a_d, α_wt is known only to ε a/N
-// with N = a sin α_wt.
+// The shift is converted to a and back. dx/da is about 1/m_n. Near the least distance at which the
+// flanks can mesh, where α_wt is near 0, α_wt is known only to ε a/N with N = a sin α_wt.
 TEST(Shift, centre_distance_and_sum_are_inverse) {
   for (const int z2 : {11, 43, 150, -43, -150}) {
     for (const double sum : {-0.8, -0.1, 1e-6, 0.3, 1.5}) {

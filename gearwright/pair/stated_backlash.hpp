@@ -6,7 +6,7 @@
 
 namespace gearwright {
 
-/// The greatest magnitude of a normal backlash, mm, that counts as no backlash for this module.
+/// A normal backlash of a magnitude below this limit, mm, counts as no backlash for this module.
 /// Drawings give centre distances in mm and profile shifts, both with four decimals. At a pressure
 /// angle of 20°, rounding the distance changes j_n by at most 2 · 0.5e-4 tan α_wn = 3.6e-5 mm, and
 /// rounding both shifts changes j_n by at most 4 · 0.5e-4 m_n tan α_n = 7.3e-5 m_n.

@@ -98,9 +98,9 @@ TEST(ToolSetting, what_changed_settings_do) {
         EXPECT_NEAR(r_2 * at.rotation_offset.rad(), ahead, 1e-13);
         const double play = -2 * (at.rotation_offset - before).rad();
         const double change = b_f - b_p + more;
-        // The limit is the sum of two second-order terms. The first results from
+        // The limit covers two second-order terms. The first results from
         // dθ = Δ/((ρ_F − ρ_P) cos θ_0). The second, 2 cot θ_0 sin² λ ΔC²/C_0, results from the
-        // rotation μ.
+        // rotation μ, and its factor sin² λ is replaced by 1.
         const double cos_0 = std::cos(30 * kDeg);
         const double second = change * change / (std::abs(difference) * cos_0 * cos_0 * cos_0);
         const double turned = 2 * more * more / (tan_0 * c_0);

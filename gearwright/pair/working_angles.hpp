@@ -337,7 +337,8 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
 
 /// Returns the interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is
 /// the length that the tips permit minus one base pitch, the contact ratio is at least 1 in this
-/// interval. L is convex in α_n, so there is only one interval.
+/// interval. L is convex in α_n, so there is only one interval. Returns none if L exceeds `longest`
+/// at every α.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
 /// Domain    external pairs

@@ -45,8 +45,8 @@ inline void expect_area_of_a_grid(const ShiftGraph& g, const ShiftRegion& region
     if (hits > before) ++rows;
   }
   const double cell = (to - from) * (x_to - x_from) / grid / grid;
-  // The count of a row has an error of at most half a point. The tolerance is four standard
-  // deviations of the total, plus half a row at each end of Σ for every piece.
+  // The standard deviation of the count of a row is at most half a point. The tolerance is four
+  // standard deviations of the total, plus half a row at each end of Σ for every piece.
   const auto pieces = static_cast<double>(region.sums.size());
   const double doubt = cell * (2.0 * std::sqrt(rows) + pieces * static_cast<double>(hits) / rows);
   EXPECT_NEAR(hits * cell, region.area, doubt) << g.trial().z1 << ":" << g.trial().z2;

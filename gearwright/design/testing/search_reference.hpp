@@ -113,9 +113,10 @@ inline bool has_working_angle(const ShiftGraph& graph, double sum) {
 }
 
 /// The smallest margin of a point to all limits, in the unit of the nearest limit. It is computed
-/// only from the results of mounting the pair (row_at), not from other parts of the graph. It is −1
-/// if there is no working angle, if a tip lies inside its base circle, if the overlap ratio is too
-/// small, or if there is interference.
+/// from the results of mounting the pair (row_at) and from the undercut of each gear, not from the
+/// margins of the graph. It is −1 if there is no working angle, if a tip lies inside its base
+/// circle, if the overlap ratio is too small, if sliding is limited but has no value, or if
+/// interference is forbidden but exists.
 inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
   const SearchProblem& p = graph.problem();
   const SearchLimits& limits = p.limits;
