@@ -53,7 +53,7 @@ struct InvoluteTeeth {
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without undercut, signed; only
                                                       ///< for a gear cut by a rack
   /// Positions along the rack's flank as in generation/circular_fillets.hpp.
-  std::optional<double> undercut_l;            ///< l_F  mm, signed; none if internal
+  std::optional<double> undercut_l;            ///< l_F  mm; none unless a rack cuts the gear
   std::optional<double> point_c_l, point_j_l;  ///< l_C, l_J  mm, with circular fillets
 };
 

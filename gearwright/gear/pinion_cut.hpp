@@ -50,7 +50,8 @@ struct InfeedCut {
 ///
 /// Formula   [T6.18], over all points of the cutter above its root fillet
 /// Domain    both teeth have an outline, the ring is internal (contract)
-/// None      if no point of the cutter has a limiting position before it reaches E
+/// None      if the ring has no flank, or if no point of the cutter has a limiting position before
+///           the cutter reaches E
 std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const GeneratedTooth& ring,
                                     double distance);
 
@@ -64,8 +65,8 @@ std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const Generate
 
 /// Returns the internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter
 /// would remove part of the flank, a cutter with another tip rounding or number of teeth is used.
-/// All other data of the gear are unchanged. Returns none if no cutter leaves the whole flank up to
-/// the tip.
+/// All other data of the gear are unchanged. Returns none if none of the cutters that are tried
+/// leaves the whole flank up to the tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);
