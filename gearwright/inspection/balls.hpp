@@ -54,6 +54,7 @@ struct PinReading {
 /// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
 ///           if the ball is too small or too large for the space, rests on the tips, touches the
 ///           root or does not project beyond the tips. The message gives the diameters that fit
+/// Domain    ball_diameter > 0 (contract)
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
 /// Returns the dimension over two opposite balls in one transverse plane or, for an internal gear,
@@ -64,8 +65,9 @@ double over_two_balls(const Gear& gear, const BallSeat& seat);
 /// Returns the dimensions over pins, or none for an internal helical gear, in which a straight pin
 /// does not fit.
 ///
-/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9], face [T10.35]; parallel anvils: d_K ±
-///           D_M [T10.10]; three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
+/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9], face [T10.35]; parallel anvils on a
+///           helical gear: d_K + D_M [T10.10]; on a spur gear: as over_two_balls(); three pins of a
+///           spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
 /// Domain    |z| ≥ 2 (contract)
 PinReading over_pins(const Gear& gear, const BallSeat& seat);
 
@@ -87,7 +89,8 @@ struct BallSizes {
                   ///< nearest size
   double inch;    ///< inch, a ball size in steps of 1/64, 1/32 or 1/16 inch
 };
-/// Returns the ball sizes of a gear, or none if no ball can be measured.
+/// Returns the ball sizes of a gear. Returns none if no ball touches the usable flank, or if |z| <
+/// 2.
 std::optional<BallSizes> ball_sizes(const Gear& gear);
 
 }  // namespace gearwright
