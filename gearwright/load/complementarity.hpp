@@ -39,7 +39,7 @@ struct ContactSolution {
     /// cancelling terms. A rounding error of up to a thousandth of the greatest load is accepted.
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
-    too_long     ///< the limit of steps was reached
+    too_long     ///< the limit of steps was reached, or a number is not finite
   };
   Stop stop = Stop::too_long;
   Eigen::VectorXd line_load;      ///< p  N/mm

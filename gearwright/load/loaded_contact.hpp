@@ -47,7 +47,8 @@ struct LoadedPair {
   Eigen::VectorXd half_width;                 ///< mm
   std::vector<std::array<double, 2>> radius;  ///< mm, on both gears, for each slice
 };
-/// The contact at one position. Values are NaN if no teeth touch or the forces do not converge.
+/// The contact at one position. Values are NaN if no teeth touch or the forces do not converge; in
+/// the second case, `unloaded_te` is present.
 struct LoadedPosition {
   Angle rotation1{};
   Angle te = Angle::radians(kNoNumber);           ///< loaded TE

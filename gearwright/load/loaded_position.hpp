@@ -58,7 +58,8 @@ class PositionSolver {
   /// sets `too_fine`.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
-  /// Returns the greatest share of a single tooth pair, or NaN if the forces do not converge.
+  /// Returns the greatest share of a single tooth pair, 0 if no teeth touch, or NaN if the forces
+  /// do not converge.
   double greatest_share(Position& at, double torque) const;
 
  private:

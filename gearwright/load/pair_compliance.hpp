@@ -113,7 +113,8 @@ struct PairCompliance {
 /// always computed.
 ///
 /// Domain    gear 1 is external; with LoadRegime::line, involute gears on parallel axes; with
-///           LoadRegime::point, gear 2 is also external (contract)
+///           LoadRegime::point, gear 2 is also external; with a shaft, both values of `middle` are
+///           equal (contract)
 /// Errors    `gearN.…` as make_section_mesh
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
@@ -127,7 +128,8 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
                                                            int which, const LoadRequest& request);
 
 /// True if gear `which` has the same table in the pairs `a` and `b`. This is the case if its tooth,
-/// face, body, slices and accuracy are equal to the last bit.
+/// face, slices and body without Young's modulus are equal to the last bit, and if the requests
+/// have the same accuracy, regime and `root_stress`.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
 
