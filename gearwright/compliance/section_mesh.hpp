@@ -22,7 +22,8 @@ namespace gearwright {
 
 /// The fineness of a section mesh: numbers of elements along the outline and across the tooth.
 struct SectionMeshOptions {
-  int side_teeth = 1;  ///< number of teeth with their exact outline on each side of tooth 0
+  int side_teeth = 1;  ///< number of teeth with their exact outline on each side of tooth 0, at
+                       ///< most (|z| − 1)/2
   int fillet = 6;
   int flank = 7;
   int across = 3;
@@ -74,8 +75,8 @@ struct SectionMesh {
 /// Makes the mesh. For an internal gear, `bore_radius` is the outside radius of the rim.
 ///
 /// Domain    0 < bore radius (contract)
-/// Errors    `bore.diameter` if no rim remains; `teeth` if elements fold, which happens if the
-///           outline is too undercut or too pointed for this mesh
+/// Errors    `bore.diameter` if no rim remains; `teeth` if the outline has no flank, or if elements
+///           fold, which happens if the outline is too undercut or too pointed for this mesh
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,
                                       const SectionMeshOptions& options);
 
