@@ -46,8 +46,8 @@ class PositionSolver {
                  const LoadRequest& request);
 
   /// Computes gaps and compliance at a rotation in the frame N. Slices::all includes all slices of
-  /// the tooth pairs. It is necessary if the flanks change afterwards, because a change can close
-  /// any gap.
+  /// the tooth pairs that may touch. It is necessary if the flanks change afterwards, because a
+  /// change can close any gap.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// Returns ∂te/∂e at the place of a slice, rad per unit of the influence.
