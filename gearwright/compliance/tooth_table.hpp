@@ -18,7 +18,8 @@
 
 namespace gearwright {
 
-/// Equal slices of the face or of a part of it, in normal modules. z = 0 is the middle of the face.
+/// Equal slices of the face or of a part of it, in normal modules unless mm are stated. z = 0 is
+/// the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
