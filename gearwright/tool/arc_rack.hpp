@@ -42,9 +42,9 @@ double full_radius(const ArcRack& rack);
 /// of the gear tooth to the middle of the tooth, where the arcs of both sides meet. The arc ends at
 /// a normal angle of 90° on F and of 1° on P if this angle is reached first. [T7.1], [T7.2], [T7.4]
 ///
-/// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
-///           `rack.addendum`, each with the allowed limit; `rack.pressure_angle` if no point of the
-///           arc has this angle
+/// Errors    `rack.arc_radius`, `rack.center_a`, `rack.center_b`, `rack.dedendum`,
+///           `rack.root_fillet_radius`, `rack.addendum`, usually with the allowed limit;
+///           `rack.pressure_angle` if no point of the arc has this angle
 Result<RackOfArcs> arcs_of(const ArcRack& rack);
 
 }  // namespace gearwright
