@@ -48,7 +48,8 @@ struct PinReading {
                                         ///< pins that can tilt
 };
 
-/// Returns the ball or pin in a space of the gear, if it touches both flanks and can be measured.
+/// Returns the ball or pin in a space of the gear, if it touches both flanks and can be measured. A
+/// ball whose contacts lie below the usable flank is also returned, but is not usable().
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
 /// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
@@ -79,7 +80,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat);
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
 /// Returns the transverse base tooth thickness, mm, for the dimension M_d over two balls. [T10.12]
 ///
-/// None      if the balls would lie inside the base cylinder
+/// None      if the centres of the balls would lie inside the base cylinder
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
                                                 double dimension);
 
