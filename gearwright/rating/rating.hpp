@@ -5,10 +5,10 @@
 //   if (r) use(r->S_F[0].value, r->S_F[0].formula);
 //
 // Lists of two values are in the order gear 1, gear 2 of the spec, whichever is the pinion. A
-// factor whose input is not given is 1, and its branch states this. Scuffing and micropitting
-// (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same
-// numbers by VDI 2736 at the temperatures of the teeth. Factors that this guideline does not
-// contain are absent.
+// factor whose optional input is not given is 1, and its branch states this. Scuffing and
+// micropitting (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp
+// computes the same numbers by VDI 2736 at the temperatures of the teeth. Factors that this
+// guideline does not contain are absent.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
 
