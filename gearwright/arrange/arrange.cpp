@@ -85,7 +85,8 @@ Result<Gear> make_given_gear(const GivenPair& given, int which, bool clear_tips)
 
 // Returns the least profile shift, rounded up to four decimals, that avoids undercut of a gear
 // whose teeth are thinned for a backlash. The thickness allowance depends on the working pressure
-// angle and therefore on the shift, so both are found by iteration. Returns none if there is none.
+// angle and therefore on the shift, so both are found by iteration. Returns none if no such shift
+// is found.
 std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear& undercut) {
   constexpr int kTries = 8;
   constexpr double kDigits = 1e4;

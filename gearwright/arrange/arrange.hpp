@@ -43,7 +43,8 @@ struct ArrangedEnds {
 };
 
 enum class Scope {
-  gears,       ///< each gear separately; the pair is used only to compute an absent profile shift
+  gears,       ///< each gear separately; the pair is used only to compute absent values, such as a
+               ///< profile shift
   pair,        ///< the pair; gear 2 must exist
   everything,  ///< all gears, and the pair if there are two gears
 };

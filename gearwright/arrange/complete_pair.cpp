@@ -49,9 +49,8 @@ ShiftProblem shift_problem(const GivenPair& given) {
 // internal gear the rest of the sum of the shifts. Neither shift is given by the user.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   // Greatest sum of the profile shifts at which the pinion gets an additional shift. At a greater
-  // sum, the tip of the internal gear leaves no room for this shift. Internal pairs with 9 to 25
-  // teeth on the pinion and 30 to 90 teeth on the internal gear are worse with the additional
-  // shift.
+  // sum, the tip of the internal gear leaves no room for this shift, and internal pairs with 9 to
+  // 25 teeth on the pinion and 30 to 90 teeth on the internal gear are worse with it.
   constexpr double kGreatestSum = -0.4;
   const GearInput& pinion = *given.gears[0];
   if (pinion.basic || pinion.cut_by || shifts.x1 > kGreatestSum) return;
@@ -129,7 +128,7 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
 }
 
 // Attributes the error of an invalid sum of the shifts to the given shift or, if both shifts are
-// given, to the larger one.
+// given, to the shift with the greater absolute value.
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (subject_of(error.field).member != GearMember::profile_shift) return error;
   const auto size = [&](std::size_t i) {
@@ -245,8 +244,8 @@ void thin(GivenPair& given, double thinning) {
     given.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
 }
 
-// Returns the backlash of the pair if its teeth are thinned by `thinning` mm in total. Fillets and
-// tips have no influence on the backlash.
+// Returns the backlash of the pair if its teeth are thinned by `thinning` mm in total. The fillets
+// of roots and tips have no influence on the backlash and are left out.
 Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& place,
                            double thinning) {
   thin(given, thinning);
@@ -269,7 +268,7 @@ Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& plac
                                              : backlash->rotation[0].deg();
 }
 
-// Returns the error that the requested backlash lies beyond `limit`, the greatest or least possible
+// Returns the error about a requested backlash beyond `limit`, the greatest or least possible
 // backlash. `cause` is the error of gears with a backlash beyond this limit.
 Error beyond_limit(const Wanted& wanted, double limit, const Error& cause) {
   const bool thinner = wanted.value > limit;

@@ -13,13 +13,15 @@ namespace gearwright {
 /// Returns the position of the gears of the pair. Computed shifts and the diameters of shortened
 /// tips are written into the gears of `given`. If the shaft angle is computed from the centre
 /// distance, it is written into `given.pair`. `shift_wanted` is true if at least one shift is
-/// absent and must be computed from the centre distance. If both are absent, gear 1 gets the sum of
-/// the shifts. However, if this sum is less than −0.4 in an internal pair, the pinion gets at least
-/// the shift that avoids undercut, and the internal gear gets the rest.
+/// absent and must be computed from the centre distance. If both are absent, divided_shift_sum()
+/// divides their sum. However, if this sum is at most −0.4 in an internal pair, a pinion cut by a
+/// rack gets at least the shift that avoids undercut, and the internal gear gets the rest.
 ///
 /// Domain    two gears (contract)
-/// Errors    `gear2.helix_angle` if a sign seems to be missing; the errors of check_partners,
-///           complete_shifts and complete_place
+/// Errors    `gear2.helix_angle` if a sign seems to be missing; `gearN.profile_shift`,
+///           `pair.mounting` or `pair.shorten_tips` if this value requires a single rack but the
+///           racks differ; the errors of check_partners, complete_shifts and complete_place. An
+///           error of `profile_shift` names the given shift
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
 /// Returns the name of the member with the requested backlash, such as "pair.backlash".
@@ -28,9 +30,10 @@ const char* backlash_field(const PairInput& pair);
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
 /// `backlash_split` divides the thinning between the gears.
 ///
-/// Accuracy  1e-9 mm, or degrees
+/// Accuracy  1e-9 mm or degrees; relative to the backlash if this exceeds 1
 /// Domain    given.pair.wants_backlash(), two gears cut by racks, both shifts known (contract)
-/// Errors    `pair.backlash…` if no allowances give this backlash
+/// Errors    `pair.backlash…` if no allowances give this backlash; `pair` if the pair has no
+///           contact; the errors of make_gear and mount for the gears before thinning
 std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings);
 

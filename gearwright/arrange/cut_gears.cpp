@@ -69,7 +69,8 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
 // Returns the default profile shift of a gear that has its own cutter. The default applies if
 // neither the profile shift of the gear nor `profile_shift_pair` (e) is given. A gear with the
 // default shift meshes with its mating gear without backlash at the given centre distance. The
-// result is none if there is no such shift.
+// result is none if there is no centre distance, no mating gear with its own rack, or no such
+// shift.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -111,9 +112,9 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
   return generating_distance(cutter, z, -x_0);
 }
 
-// Makes the gear at the generating distance that follows from its profile shift. If a gear with
-// its own cutter has a thickness allowance, the distance follows from the generating profile shift
-// x_E, which includes the allowance.
+// Makes the gear at the generating distance in `spec`. If a gear with its own cutter has a
+// thickness allowance, the distance follows instead from the generating profile shift x_E, which
+// includes the allowance.
 Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec spec) {
   auto nominal = make_pinion_cut_gear(cutter, spec);
   const double wanted = gear.cylindrical.thickness_allowance;
@@ -141,8 +142,8 @@ Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec sp
   return error;
 }
 
-// Adds a note if no tip diameter is given and the root of the cutter cuts the tip. No note is
-// added if the mating gear is the cutter.
+// Adds a note if no tip diameter is given and the tip, which the root of the cutter cuts, is longer
+// than usual. No note is added if the mating gear is the cutter.
 void note_default_tip(Gear& made, const GearInput& gear) {
   const double usual =
       made.reference_diameter + made.side() * 2 * made.spec.normal_module *

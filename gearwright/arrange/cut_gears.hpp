@@ -18,17 +18,19 @@ inline double default_tip_clearance(double normal_module) { return 0.2 * normal_
 /// input. If one gear of the pair cuts the other, the gear that cuts is made as well. If, in this
 /// case, no centre distance is given, the generating centre distance is written into the pair.
 ///
-/// Errors    `gearN.cut_by` if two gears cut each other, or the cutter is an internal gear or
-///           does not exist; `gearN.tip_fillet.clearance` if this gear cuts its mating gear;
-///           `pair.shorten_tips` if it is true; `pair.mounting` if it is extended and one gear
-///           cuts the other; a member of the gear that contradicts the cutter; the errors of
-///           make_pinion_cut_gear
+/// Errors    `gearN.cut_by` if a gear cuts itself, if two gears cut each other, or if the cutter is
+///           an internal gear, is absent or is not a possible gear; `gearN.tip_fillet.clearance` if
+///           this gear cuts its mating gear; `pair.shorten_tips` if it is true; `pair.mounting` if
+///           it is extended and one gear cuts the other; a member of the gear that contradicts the
+///           cutter; the errors of make_gear for the cutter; the errors of make_pinion_cut_gear,
+///           which name `pair.center_distance` if this is the generating distance
 std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made);
 
 /// Computes the radius at which each tooth with a tip fillet ends, if the clearance of the fillet
 /// to the root of the mating gear is given. The radius also depends on the centre distance.
 ///
-/// Errors    `gearN.tip_fillet.clearance` if there is no mating gear on a parallel axis
+/// Errors    `gearN.tip_fillet.clearance` if there is no mating gear on a parallel axis; the errors
+///           of make_gear for the mating gear
 std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
                                       std::optional<double> center_distance);
 
@@ -36,8 +38,8 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
 // computed numbers follow.
 
 /// Converts the error of a gear to an error of gear 1 or 2. If the gear is given by its base
-/// cylinder, the input contains no rack data. The message then names the rack that describes
-/// the gear.
+/// cylinder, the input contains no rack data. The message then names the rack that describes the
+/// gear. An error of a computed tip diameter names a given value from which the diameter follows.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
 /// Changes an error of a pair that names rack data, although the gear is given by its base

@@ -77,7 +77,8 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
     pair.backlash = base.backlash.all;
     stages[k].friction = base.friction;
   }
-  // The gears have no shifts yet, so their centre distances differ.
+  // Without shifts, the centre distances of the stages differ, so coaxial axes are required only if
+  // there are shifts.
   stages.back().pair.coaxial = is_coaxial(problem, c) && !c.shifts.empty();
   stages.front().speeds_rpm = base.speeds_rpm;
   stages.front().torque_Nm = base.torque_Nm;
@@ -223,7 +224,8 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
 }
 
 // Returns the least widths of the meshes, in steps, with which all meshes have the required
-// safeties. With one step less, at least one mesh would not have them.
+// safeties. If a width above the lower limit is reduced by one step, at least one mesh does not
+// have them.
 std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double below,
                                                const std::vector<double>& greatest) const {
   const std::size_t meshes = greatest.size();
@@ -250,7 +252,8 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
       if (least[m] - low[m] > 1.0) (held[m] ? least[m] : low[m]) = middle[m];
   }
   // A tooth that is wider than the mating tooth has a greater root safety, so the widths of the
-  // meshes of a planet depend slightly on each other.
+  // meshes of a planet depend slightly on each other. Widths that are too small after the bisection
+  // are therefore raised.
   for (bool grows = true; grows;) {
     grows = false;
     const auto held = are_held(least);

@@ -116,10 +116,10 @@ class Candidates {
   }
 
   // True if the next candidate that has not been computed may be better than the designs of this
-  // group, by the first objective. A candidate may be better if it is smaller than the last design
-  // of the group or, for the objective mass, lighter than the first design. Masses are compared
-  // with the first design only, because estimated masses are inexact and nearly all candidates
-  // might be lighter than the last design.
+  // group, by the first objective. False if all stages have the same module. A candidate may be
+  // better if it is smaller than the last design of the group or, for the objective mass, lighter
+  // than the first design. Masses are compared with the first design only, because estimated masses
+  // are inexact and nearly all candidates might be lighter than the last design.
   bool may_improve(std::span<const FoundDrive> group) {
     while (first_ < all_->size() && made_[first_] != State::open) ++first_;
     if (!problem_.module_per_stage || first_ == all_->size()) return false;

@@ -33,9 +33,10 @@ struct DriveDesigns {
   std::vector<FoundDrive> list;     ///< in the order of drive_designs()
   std::vector<std::size_t> pareto;  ///< indices in `list`
   std::size_t computed = 0;
-  std::size_t green = 0;         ///< computed candidates that can be listed
+  std::size_t green = 0;         ///< computed candidates with a green verdict
   std::size_t hopeless = 0;      ///< trains that were left out because their estimated safeties are
-                                 ///< too small
+                                 ///< too small or, if each stage has its own module, because they
+                                 ///< are too large
   std::size_t beyond_limit = 0;  ///< candidates that were not computed because of
                                  ///< kMostComputedDrives; 0 if `top` drives were found
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};
@@ -63,7 +64,7 @@ struct DriveDesignTask {
 /// Laws      (1) if a search with one module finds a drive, a search over a list that contains
 ///           this module also finds a drive
 ///           (2) the first `top` drives are the first drives of every longer list
-/// Errors    the errors of `rate`, if no drive can be rated
+/// Errors    an error of `rate` that occurs before any drive has been rated
 Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
                                    std::size_t top, int threads);
 
@@ -95,8 +96,9 @@ class DriveDesigner {
   /// greatest safeties over all trials of profile shifts. Returns none if the train cannot be
   /// rated.
   std::optional<RatedTrain> rated(DriveCandidate candidate) const;
-  /// Returns the least specific sliding of a train over all trials of profile shifts. It is 0 if
-  /// the teeth cannot be made, because the train is then left out for another reason.
+  /// Returns the greatest specific sliding |ζ| of a train with the profile shifts, of all trials,
+  /// that make it least. It is 0 if the teeth cannot be made, because the train is then left out
+  /// for another reason.
   double least_sliding(DriveCandidate candidate) const;
 
  private:

@@ -25,11 +25,11 @@ class FaceLoads {
   /// Prepares the computation for a pair that is not double-helical. Notes about the gear bodies
   /// are added to `notes`.
   ///
-  /// Errors    those of load_task()
+  /// Errors    those of load_task() and pair_compliance()
   static Result<FaceLoads> of(const Arranged& arranged, const ContactErrors& errors,
                               LoadInput input, const RatingInput& rating,
                               std::vector<Warning>& notes, Progress* progress = nullptr);
-  /// Returns K_Hβ at the torque, the speed and the load factors of `input`. The member
+  /// Returns K_Hβ ≥ 1 at the torque, the speed and the load factors of `input`. The member
   /// `face_load_factor` of `input` has no effect.
   ///
   /// Errors    those of rate() and judge_load(); `rating.face_load_factor` if the load cannot be
@@ -55,8 +55,8 @@ class FaceLoads {
 
 /// Returns the greatest torque with the required safeties, N m, if K_Hβ changes with the torque.
 /// The equation torque_of_safety(K_Hβ(T)) = T is solved by the secant method for ln T. The result
-/// is none if there is no such torque, or if the load along the teeth cannot be computed at a
-/// torque of the iteration.
+/// is none if there is no such torque, if the load along the teeth cannot be computed at a torque
+/// of the iteration, or if the iteration does not converge.
 ///
 /// Accuracy  1e-5, relative; the returned torque has the required safeties
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,

@@ -43,8 +43,9 @@ struct MaterialInput {
 /// Returns the material of `owner`, for example "gear1.material". Given values replace the values
 /// in the table of materials.
 ///
-/// Errors    a member of `owner` if a strength is unknown, or if the standard does not cover the
-///           material
+/// Errors    `owner` or a member of it if a strength is unknown, if the hardness is outside the
+///           range of the named material, if values by temperature are given for a metal, if the
+///           standard does not cover the material, or if E of a plastic is unknown
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
@@ -126,8 +127,9 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// Returns the input for a gear whose spec is complete. To have the profile shift computed by
-  /// arrange(), the caller resets `profile_shift` in the returned input.
+  /// Returns the input for a gear whose spec is complete, except that a face width of 0 is absent.
+  /// To have the profile shift computed by arrange(), the caller resets `profile_shift` in the
+  /// returned input.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;

@@ -39,17 +39,21 @@ struct JudgedState {
                                   ///< nominal gears or without a rating
 };
 
-/// Returns all findings for the nominal values, and all findings that are worse at a combination of
-/// the ends of the tolerances. The findings contain no remedies.
+/// Returns all findings for the nominal values and for the combinations of the ends of the
+/// tolerances. A finding with a worse level at a combination replaces the nominal finding. The
+/// findings contain no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
 /// Makes a change that the verdict proposes, in the same way as the user would make it. Returns
-/// false if the input gives the number in another form, or if another gear determines the number.
+/// false if the input gives the number in another form, or if a cutter or other data determine the
+/// number; `given` must then be discarded, because it may already be changed.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 /// Returns the verdict on the gears. Messages name members of the input, such as
 /// `gear1.profile_shift`.
+///
+/// Domain    a result of arrange(), so that `arranged.given` is not null (contract)
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 
 // Converts a design found by a search into the data of a drawing, and judges this drawing.
@@ -71,7 +75,8 @@ struct DriveChange {
   double value;       ///< the new value, as in SpecChange
 };
 
-/// Returns the input with this change, or none if the input does not contain this number.
+/// Returns the input with this change, or none if the input does not contain this number or a drive
+/// cannot change it.
 std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& change);
 
 /// Returns the verdict on the assembly and the meshes. A message about a mesh begins with the name

@@ -125,7 +125,7 @@ bool no_worse(const std::vector<Part>& before, const std::vector<Part>& after, s
   });
 }
 
-// Adds a remedy to the worst finding, which belongs to a mesh.
+// Adds remedies to the findings of the mesh that has the worst finding.
 void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& input,
                 const std::function<std::string(const DriveChange&)>& key_of,
                 const Safeties& wanted) {
@@ -188,7 +188,7 @@ bool shares_gears(const DriveGraph& graph, std::size_t mesh) {
   return false;
 }
 
-// Returns a summary of a drive without faults, with its ratio, its efficiency, its safeties and the
+// Returns a summary of a drive that runs, with its ratio, its efficiency, its safeties and the
 // least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";

@@ -65,8 +65,10 @@ constexpr double kFactor = 0.03;      // a factor within this distance of 1 is n
 // factors of the known effects and a remaining factor. If the remaining factor differs from 1
 // by more than kMuchLeft, the factors of face width and bodies are computed as well.
 constexpr double kMuchLeft = 0.1;
-constexpr double kOverlap = 2.0;  // least overlap ratio of a helical face that is not narrow
-constexpr double kWidest = 12.0;  // modules; a wider face takes more time and gives the same ratio
+constexpr double kOverlap = 2.0;  // overlap ratio to which a narrow helical face, ε_β < 1, is
+                                  // widened
+constexpr double kWidest = 12.0;  // modules, limit of the widened face; a wider face takes more
+                                  // time and gives the same ratio
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
 constexpr int kPositions = 8, kMostSlices = 16;  // resolution of drafted()

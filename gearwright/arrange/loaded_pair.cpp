@@ -40,7 +40,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   return body;
 }
 
-// Returns an error if loaded contact does not support teeth of this kind.
+// Returns an error if the gear is internal and none of the default cutters generates its flanks.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (!gear.tooth)
     return Error{gear_field(which, "cut_by"), "",

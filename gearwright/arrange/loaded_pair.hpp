@@ -51,8 +51,11 @@ inline constexpr double kShaft = 0.5;
 /// Domain    torques need a pair (contract)
 /// Errors    `load.torques` without torques and probes, and if a torque is not > 0; `load.driver`
 ///           if it is not 1 or 2; `pair.…` and `gearN.…` if loaded contact does not support such
-///           gears; `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` if there are too
-///           many, `load.probe[i].…`; the errors of setup_of
+///           gears; `load.deflection_…` and `gearN.shaft` for point contact; the member that causes
+///           a deflection if no teeth touch under it; `load.torques` if the forces converge at no
+///           position; `gearN.material.youngs_modulus`, `gearN.material.poisson_ratio`,
+///           `gearN.bore.…`, `load.slices` if there are too many, `load.probe[i].…`; the errors of
+///           setup_of
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr,
@@ -80,7 +83,7 @@ struct LoadTask {
   LoadedContact contact(const PairCompliance& compliance) const;
 };
 
-/// Errors    as loaded(); `load` if no torque is given
+/// Errors    as loaded(); `load.torques` if no torque is given, even if there are probes
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings,
                            const std::optional<HalfPlace>& half = {});
@@ -91,7 +94,8 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
 bool halve_slices(std::array<int, 2>& slices);
 
 /// Returns the contact without root stress for the helix slope deviations ±`deviation`, mm over the
-/// common face, normal to the flank, at no more than 16 positions.
+/// common face, normal to the flank, at no more than 16 positions per pitch. Rotations in the
+/// request take precedence.
 std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
                                               const PairCompliance& compliance, double deviation);
 
@@ -113,8 +117,8 @@ Warning edge_carries_at(const std::vector<double>& torques);
 /// contact. The list is empty if the standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 
-/// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note
-/// contains the factor of each cause of the difference and the remaining factor.
+/// Adds a note for each torque at which the mean stiffness differs from c_γα by more than a
+/// quarter. The note contains the factor of each cause of the difference and the remaining factor.
 ///
 /// Domain    a result of this task with contact (contract)
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,

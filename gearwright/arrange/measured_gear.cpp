@@ -12,7 +12,7 @@ namespace gearwright {
 namespace {
 
 // Returns the default measuring diameter. It is the reference diameter if this lies on the usable
-// flank, and otherwise the middle of the flank.
+// flank or if there is no usable flank, and otherwise the middle of the flank.
 double default_chord_diameter(const Gear& g) {
   const double d = g.reference_diameter;
   const auto flank = usable_flank(g);

@@ -44,7 +44,7 @@ struct ThicknessAt {
 
 struct GearMeasures {
   std::optional<Span> span;
-  std::vector<Span> spans;  ///< all spans that can be measured
+  std::vector<Span> spans;  ///< the spans that can be measured, at most 31
   std::optional<BallMeasure> balls;
   std::optional<PinMeasure> pins;
   std::optional<BallSizes> sizes;
@@ -69,7 +69,8 @@ struct MeasureRequest {
 /// the tool of such a dimension is not given, one of the warnings `no_chord`, `no_span` and
 /// `no_balls` gives the reason. A tool that touches outside the usable flank also causes a warning.
 ///
-/// Errors    `gearN.measure.…` if a given tool does not fit
+/// Errors    `gearN.measure.…` if a given tool does not fit; `gearN.tolerance.quality` if the
+///           edition of ISO 1328-1 has no such grade
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,
                              std::vector<Warning>& warnings);
 Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools = {});

@@ -27,8 +27,10 @@ std::optional<Warning> note_shifts(const GivenPair& given);
 /// `basic`.
 std::optional<Warning> note_rack(const GearInput& gear, int which);
 
-/// Returns an error if shifts are missing and `pair.choose_profile_shifts` is false. The message
-/// names these shifts and gives possible values.
+/// Returns an error if `pair.choose_profile_shifts` is false. The message names the absent shifts
+/// and gives possible values.
+///
+/// Domain    shifts_follow(given), with computed shifts
 std::optional<Error> forbidden_shifts(const GivenPair& given);
 
 /// Returns a note that, on crossed axes, the flanks of an internal pair overlap beside the line of
@@ -51,9 +53,10 @@ std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bor
                                 std::optional<double> groove = {});
 
 /// Returns a warning about the body of a gear. For an external gear, the warning states that the
-/// bore leaves no material below the roots. For an internal gear, it states that the rim leaves no
-/// material outside the roots, or that the rim is too thin for the rim thickness factor of a
-/// rating. In a double-helical gear, the groove with the diameter `groove` mm also limits the body.
+/// bore leaves no material below the roots, or that its keyway is not possible. For an internal
+/// gear, it states that the rim leaves no material outside the roots. For both, it states that the
+/// rim is too thin for the rim thickness factor of a rating. In a double-helical gear, the groove
+/// with the diameter `groove` mm also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 /// Warns if the gears jam, see jams(). `touched` is a part of the message. The text names the

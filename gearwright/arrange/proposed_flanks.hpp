@@ -43,7 +43,7 @@ struct ReliefStarts {
 std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
                                           ReliefLength length = ReliefLength::short_relief);
 
-/// True if some tip or root relief has no start.
+/// True if some tip or root relief has an amount but no start.
 bool lacks_relief_start(const GivenPair& given);
 /// Returns the error about the first relief of a single gear without a start. The start of a relief
 /// can be computed only for a pair.
@@ -51,7 +51,8 @@ Error missing_relief_start(const GivenPair& given);
 
 /// Computes the start of each tip or root relief that has none, on both gears of a pair.
 ///
-/// Errors    `gearN.modifications.tip_relief.reach` if the pair allows no such start
+/// Errors    `gearN.modifications.tip_relief.reach` or `….root_relief.reach` if the pair allows no
+///           such start
 std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair);
 
 struct LeadProposal {
@@ -83,7 +84,7 @@ struct ReliefProposal {
 /// Formula   [T12.28], [T12.29], [T12.30]
 /// Domain    a pair with line contact, and the compliance of its teeth (contract)
 /// None      if reliefs of this length are impossible: ε_α ≤ 1, or ε_α ≥ 2 for long reliefs
-/// Errors    as unloaded_tips()
+/// Errors    as unloaded_tips() and ContactSetup::with_modifications()
 Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, const LoadTask& task,
                                                      const PairCompliance& compliance,
                                                      ReliefLength length,

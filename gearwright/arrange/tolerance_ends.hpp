@@ -23,7 +23,9 @@ namespace gearwright {
 /// dimension over balls.
 ///
 /// Errors    `gearN.tolerance.…` if the series does not exist, if no tooth has the given dimension,
-///           or if the measuring tool is missing
+///           if the measuring tool is missing, if circular-arc flanks are measured, or if the
+///           mating gear or the base cylinder determines the tooth thickness;
+///           `gearN.measure.span_teeth` as span_over(); the errors of arrange()
 Result<GivenPair> with_allowances(const GivenPair& given);
 
 /// Computes the deviations of each tip diameter whose tolerance is given as a fit.
@@ -61,8 +63,8 @@ std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tol
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 
-/// Returns the gears and the pair at those corners that can be arranged. The list is empty if only
-/// one number has a tolerance, because its corners are then the two ends.
+/// Returns the gears and the pair at those corners that can be arranged. The list is empty if fewer
+/// than two numbers have a tolerance, because the corners of one tolerance are the two ends.
 std::vector<Arranged> arranged_corners(const Arranged& nominal);
 
 /// Returns a corner in words, for example "At a centre distance of 59.985 mm and a thickness

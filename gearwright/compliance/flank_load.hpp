@@ -28,7 +28,8 @@ struct FlankPlace {
   std::complex<double> point, normal, tangent;
 };
 FlankPlace flank_place(const SectionMesh& mesh, double s);
-/// Returns the arc length at which the outline of tooth 0 reaches `radius`, in modules.
+/// Returns the arc length at which the outline of tooth 0 reaches `radius`, in modules, limited to
+/// the part from the start of the flank to the tip land.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
 struct BumpPlace {

@@ -31,8 +31,9 @@ struct ProbeAnswer {
 
 /// Computes the compliance of a tooth of the gear at the position of the probe.
 ///
-/// Errors    as make_section_mesh; `diameter` if it does not lie on the flank; `z` and
-///           `read_z` if they do not lie on the face
+/// Errors    as make_section_mesh; `diameter` if it does not lie on the flank or is less than 0.02
+///           modules, in radius, from its tip end; `z` if it does not contain two ascending
+///           positions on the face; `read_z` if a position does not lie on the face
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 /// Computes the compliance of a tooth that has the transverse section of the gear but another

@@ -22,7 +22,8 @@ namespace gearwright {
 
 /// The fineness of a section mesh: numbers of elements along the outline and across the tooth.
 struct SectionMeshOptions {
-  int side_teeth = 1;  ///< number of teeth with their exact outline on each side of tooth 0
+  int side_teeth = 1;  ///< number of teeth with their exact outline on each side of tooth 0, at
+                       ///< most (|z| − 1)/2
   int fillet = 6;
   int flank = 7;
   int across = 3;

@@ -26,7 +26,8 @@ struct SectionModes {
 };
 /// Computes the modes for loads at `places` on the flank. For a helical gear (τ ≠ 0), waves along
 /// the helix are included. A mode is dropped if its singular value is below `tolerance` times the
-/// greatest singular value. Each solved field and each matrix counts as one step of `progress`.
+/// greatest singular value. Each wave, each of the two groups of modes and each matrix counts as
+/// one step of `progress`.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);

@@ -18,7 +18,8 @@
 
 namespace gearwright {
 
-/// Equal slices of the face or of a part of it, in normal modules. z = 0 is the middle of the face.
+/// Equal slices of the face or of a part of it, in normal modules unless mm are stated. z = 0 is
+/// the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
@@ -43,7 +44,8 @@ struct ToothTableRequest {
   double half_width = 0.05;      ///< half width a of the strip in H[a, a], normal modules
   double line_per_height = 1.0;  ///< length of the contact line per unit of height, 1/cos β_b
   bool root_stress = true;       ///< true if root stresses are to be computed
-  Progress* progress = nullptr;  ///< counts eight steps for each position along the flank
+  Progress* progress = nullptr;  ///< counts eight steps for each position along the flank, or four
+                                 ///< without root stress, and two more
 };
 
 class ToothTable {

@@ -21,7 +21,8 @@ struct Assembly {
   long long places = 0;            ///< N*; 0 if any place is possible
   bool equal = false;              ///< true if the copies are at equal pitch
   std::vector<Rational> turns;     ///< u of each copy, u_0 = 0
-  std::vector<Rational> clocking;  ///< δ of each copy, turns; empty if all copies are identical
+  std::vector<Rational> clocking;  ///< δ of each copy, turns; empty unless the spacing is
+                                   ///< `equal_clocked` and the planet is stepped
 };
 
 /// Returns N* of a group of planets.

@@ -127,7 +127,7 @@ struct Drive {
   std::vector<PlanetSet> sets;
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes,
                                           ///< or a loaded mesh without geometry
-  std::optional<DriveError> error;        ///< none without `backlash`, or if a mesh loses contact
+  std::optional<DriveError> error;        ///< none under the conditions of transmission_error()
   std::vector<std::optional<MeshRating>> ratings;  ///< one rating for each mesh; empty if the drive
                                                    ///< is not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
@@ -159,8 +159,8 @@ struct Drive {
   std::optional<double> relative_speed_ratio(std::size_t body) const;
   /// Returns the mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
-  /// Returns the play of a body, rad, while the body `held` does not move. `held` is the input or
-  /// the output. The play of a rack is its travel, where 2π is one pitch. Returns none if there are
+  /// Returns the play of a body, rad, if the body `held` does not move. `held` is the input or the
+  /// output. The play of a rack is its travel, where 2π is one pitch. Returns none if there are
   /// several inputs or redundant meshes, or if a mesh between the two bodies has no involute teeth.
   /// [T13.20]
   std::optional<double> play(std::size_t body, std::size_t held) const;

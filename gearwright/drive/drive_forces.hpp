@@ -30,7 +30,8 @@ struct BodyForces {
   double tilting;  ///< moment of the axial forces, which tilts the body  N mm
 };
 
-/// Returns the forces of a mesh, or none without a torque, a power flow or the mesh geometry.
+/// Returns the forces of a mesh. Returns none without a torque, a power flow or the mesh geometry,
+/// or if the drive is self-locking.
 ///
 /// Formula   [T13.29]
 std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh);

@@ -181,7 +181,7 @@ std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error
   return fmt::format("{}: {}", name, error.quoted());
 }
 
-// Mounts the racks. If the shift of a pinion is not given, it is 0.
+// Mounts the racks, and sets the centre distances of their meshes.
 void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];

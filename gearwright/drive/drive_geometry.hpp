@@ -53,8 +53,9 @@ struct DriveGeometry {
 ///   shifts      The shift of the pinion of a rack, or of a circular-arc gear, is 0 if none is
 ///               given.
 ///   tips        If the tip diameter of a ring is not given, the tips stay 0.02 m_n above the root
-///               ends of the flanks of the mating gears. Any other tip with a clearance of less
-///               than 0.1 m_n is lowered by the tip shortening k m_n.
+///               ends of the flanks of the mating gears. Any other tip without a given diameter or
+///               a tip fillet is lowered by the tip shortening k m_n if its clearance is less than
+///               0.1 m_n.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
@@ -109,7 +110,8 @@ std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, st
 
 /// Returns the ratio of thickness to pitch on the working pitch circle of gear 1 or 2 of a pair.
 ///
-/// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
+/// Formula   s/p = 1/2 + 2 x_E tan α_n/π + z (inv α_t − inv α_wt)/π, where x_E is the generating
+///           profile shift
 double thickness_share(const InvolutePair& pair, int which);
 /// Returns the ratio of tooth thickness to pitch on the reference circle of the pinion of a rack.
 double thickness_share(const RackPair& pair);

@@ -47,8 +47,8 @@ struct DriveLayout {
 
 /// Computes the layout of a drive in the initial position.
 ///
-/// Errors    as drive_places(); `drive.gear` if a gear has no geometry; `drive.mesh` or
-///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be mounted
+/// Errors    as drive_places(); `drive.gear` if the module of a gear is unknown; `drive.mesh` or
+///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be made or mounted
 Result<DriveLayout> drive_layout(const Drive& drive);
 
 /// Returns the unit vector along a placed rack. If the pinion turns counter-clockwise, the rack

@@ -26,7 +26,8 @@ struct DriveMotion {
   /// ω of each body per unit speed of each input, [body][input].
   std::vector<std::vector<Rational>> speeds;
   std::optional<Rational> ratio;   ///< i; none with several inputs
-  std::optional<Rational> period;  ///< turns of the input after which all positions repeat
+  std::optional<Rational> period;  ///< turns of the input after which the positions of all bodies
+                                   ///< without a rack repeat; none with several inputs
   /// Meshes of closed loops that can move. If any single mesh of such a loop is removed, the speeds
   /// do not change. The torques of these meshes depend on the compliance of the loop.
   std::vector<std::size_t> redundant;
@@ -43,10 +44,10 @@ std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 /// Formula   W ω = 0, ω = 0 for fixed bodies, solved for each input with the speed 1;
 ///           [T13.1]…[T13.5]
 /// Domain    a checked graph with at least one input (contract)
-/// Errors    `drive.fixed` if the drive is locked, with the meshes that lock it, or if its speeds
-///           are undetermined; `drive.input`, `drive.output` if the body is fixed or does not
-///           rotate, or if the speeds of the inputs contradict each other; `drive.gear` if a ratio
-///           needs more than 127 bits
+/// Errors    `drive.fixed` if the drive is locked, with the fixed bodies or the meshes that lock
+///           it, or if its speeds are undetermined; `drive.input`, `drive.output` if the body is
+///           fixed or does not rotate, or if the speeds of the inputs contradict each other;
+///           `drive.gear` if a ratio needs more than 127 bits
 Result<DriveMotion> drive_motion(const DriveGraph& graph);
 
 }  // namespace gearwright

@@ -1,6 +1,7 @@
 // Laws: (1) closed forms of a simple set's ratios and efficiencies, [T13.10]; (2) closed forms of
 // sets with two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) an
-// enumeration shows that the computed flow has the only consistent pattern of signs with η > 0.
+// enumeration shows that the computed flow has the only consistent pattern of signs with η > 0; (5)
+// the powers of bodies and meshes add up.
 #include "gearwright/drive/drive.hpp"
 
 #include <gtest/gtest.h>

@@ -22,14 +22,15 @@ std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph);
 /// same distance as `mesh`. The search starts at the distance that follows from the graph if no
 /// centre distance is given. Returns none if this distance is impossible.
 ///
-/// Accuracy  each limit is possible, and a distance m_n/1000 beyond the limit is impossible.
-///           Between the limits, distances in steps of m_n/40 are tried
+/// Accuracy  each limit is possible. A distance m_n/1000 beyond the limit is impossible, unless the
+///           limit differs by 10 m_n from the start of the search. Between the limits, distances in
+///           steps of m_n/40 are tried
 /// Domain    a mesh of two gears with teeth
 std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh);
 
 /// The least and the greatest possible |z| of the central gear in a mesh with a planet. The search
-/// starts at the number of teeth that needs no profile shift. There is no result if the mesh has no
-/// planet, or if no number of teeth is possible.
+/// starts at or next to the number of teeth that needs no profile shift, and covers 40 teeth on
+/// both sides. There is no result if the mesh has no planet, or if no number of teeth is possible.
 ///
 /// Formula   |z_0| = 2 a cos β/m_n − z_p external, + z_p for a ring
 struct PossibleTeeth {
@@ -39,7 +40,8 @@ struct PossibleTeeth {
 std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh);
 
 /// Adds remedies to the message of the first fault of a geometry. A remedy is a change with which
-/// the whole drive is possible. If all teeth touch, or if there is no remedy, the message is not
+/// the whole drive is possible. If there is no fault although the teeth of a mesh do not touch, a
+/// fault with the remedies is added. If all teeth touch, or if there is no remedy, nothing is
 /// changed.
 void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 

@@ -32,7 +32,7 @@ struct SharingSolution {
   enum class Stop {
     converged,    ///< residual ≤ kSharingResidual, or within the rounding of the approaches
     no_progress,  ///< no step reduces the energy
-    iterations,   ///< more than kSharingSteps steps
+    iterations,   ///< no convergence after kSharingSteps steps
   };
   Eigen::VectorXd x;
   std::vector<double> forces;  ///< N, force of each spring

@@ -19,7 +19,8 @@ struct MeshThinning {
 };
 
 // Returns the t that gives the mesh its required backlash. Returns none if no backlash is required
-// or if the gears are not mounted. For circular arcs, dt/dj_n is not exactly 1.
+// or if the gears are not mounted. For circular arcs, dt/dj_n is not exactly 1, so the result is
+// only approximate.
 std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeometry& made,
                                             std::size_t m) {
   const auto& wanted = graph.meshes[m].backlash;

@@ -36,8 +36,9 @@ std::vector<double> load_levels(int copies);
 /// `levels` are multiples of `nominal`. `nominal` is the force of an equal share of the load, N
 /// along the transverse line of action.
 ///
-/// Errors    `load` if, at a position, no teeth touch or the iteration converges for no force;
-///           `load.slices` if there are too many slices; the errors of pair_compliance()
+/// Errors    `load` if, at a position, no teeth touch, or the iteration does not converge for a
+///           force up to `nominal`; `load.slices` if the slices are narrower than the contact under
+///           such a force; the errors of pair_compliance()
 Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, LoadRequest request,
                                  const std::vector<double>& levels, double nominal,
                                  const std::vector<double>& rotations);

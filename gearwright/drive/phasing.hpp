@@ -18,9 +18,9 @@ namespace gearwright {
 /// Classification by the first harmonic. [T13.19]
 enum class PhasingClass {
   in_phase,    ///< R = 1: torques add, forces cancel
-  sequential,  ///< R = 0, and a rotating force remains
+  sequential,  ///< R = 0, and F^+ or F^− is 1: the whole rotating force remains
   counter,     ///< torques and forces cancel
-  mixed,       ///< parts of torques and forces remain
+  mixed,       ///< any other case: parts of torques and forces remain
 };
 
 struct Resultant {

@@ -69,7 +69,7 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
 
 // Assigns a column to each unknown. A common rotation of all bodies changes no approach, so one
 // central body is held. The held body is the output. If the output is not a central body, a fixed
-// body is held.
+// body is held, or without a fixed body another central body, preferably not an input.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);

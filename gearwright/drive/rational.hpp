@@ -36,7 +36,7 @@ class Rational {
   /// Returns the sign: −1, 0 or 1.   Domain  fits() (contract)
   int sign() const;
   double value() const { return static_cast<double>(p_) / static_cast<double>(q_); }
-  /// Return p and q, or none if the number has more than 63 bits.
+  /// Return p and q, or none after an overflow or if p or q has more than 63 bits.
   std::optional<long long> numerator() const;
   std::optional<long long> denominator() const;
   /// Returns v − floor(v), in [0, 1).
@@ -77,7 +77,7 @@ std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 std::optional<std::size_t> rank_of(RationalMatrix rows);
 
 /// Returns a basis of all y with y·A = 0 for A = `rows`, one y in each row. The result is empty if
-/// the rows are independent or if a number overflows.
+/// the rows are independent. After an overflow, the result is not reliable.
 RationalMatrix left_kernel(const RationalMatrix& rows);
 
 }  // namespace gearwright

@@ -73,9 +73,11 @@ struct PlanetarySpec {
   bool backlash_is_mean = false;                  ///< true if `backlash` is the mean of a band
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ
-  std::optional<std::vector<std::string>> fixed;  ///< by default the ring
-  std::vector<std::string> inputs;                ///< the sun if empty
-  std::string output;                             ///< the carrier if empty
+  std::optional<std::vector<std::string>> fixed;  ///< by default the ring, else ring2, else the sun
+  std::vector<std::string> inputs;                ///< if empty, the sun, else sun2, else the
+                                                  ///< carrier
+  std::string output;                             ///< if empty, the carrier or, if it is fixed or
+                                                  ///< an input, another central body
   std::vector<double> speeds_rpm;
   std::optional<double> torque_Nm;
   Spacing spacing = Spacing::nearest;
@@ -139,8 +141,9 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
 /// Returns the graph of a planetary set. Its bodies have names such as sun, planet, ring and
 /// carrier. Its meshes have names such as sun_planet and planet_ring.
 ///
-/// Errors    a missing member; a set without a mesh; an unknown body in `fixed`, `input` or
-///           `output`
+/// Errors    `planetary.…` if a member is missing or has an impossible number of teeth, if the set
+///           has no mesh, if there is less than one planet, or if a backlash is given without a
+///           module; `drive.fixed`, `drive.input` or `drive.output` if there is no such body
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
 /// Returns the whole train, and its stages as separate drives. The names of bodies are s1_sun,
@@ -153,8 +156,9 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 ///           lies to the left of the line from the axis of the input to the first axis of that
 ///           stage
 /// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
-///           `drive.torque` if they are given for a later stage; `drive.angle` if the centre
-///           distances do not permit a coaxial output
+///           `drive.torque` if they are given for a later stage; `stage[N].angle` if the centre
+///           distances are unknown or do not permit a coaxial output; as check_graph() if the
+///           output is coaxial
 Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
 
 }  // namespace gearwright

@@ -36,7 +36,7 @@ inline double default_rim(double root_diameter, double normal_module) {
 }
 
 /// Least thickness of material between a bore or a rim and the roots or the groove, mm. It is a
-/// fifth of the default chord tolerance of a mesh.
+/// fifth of the default chord tolerance of a triangulated surface.
 inline constexpr double kLeastWall = 1e-3;
 
 /// The cylinders of a gear that limit its bore or its rim.

@@ -30,8 +30,9 @@ inline constexpr const char* kWholeFace =
 ///
 /// Errors    `double_helical.gap`
 std::optional<Error> half_error(const DoubleHelical& given, double face);
-/// Returns the error if two mating gears do not match. Each half of the narrower gear must lie
-/// within the opposite half of the other gear. `faces` are the whole face widths, mm.
+/// Returns the error if two mating gears do not match. Each half of the gear with the narrower
+/// halves must lie within the opposite half of the other gear. `faces` are the whole face widths,
+/// mm.
 ///
 /// Domain    at least one gear is double-helical (contract)
 /// Errors    `gearN.double_helical` if only the mating gear is double-helical,

@@ -111,7 +111,8 @@ void warn_about_ring(Gear& gear) {
 
 // Returns the greatest profile shift at which the root fillets of a tooth without undercut do not
 // meet. It is found by bisection to 1e-6. Returns none if a straight rack does not cut the tooth,
-// or if no profile shift without undercut leaves a tooth.
+// if the tooth has a circular fillet, if the present profile shift has undercut, or if a tooth that
+// is just without undercut is severed as well.
 std::optional<double> greatest_shift(const Gear& gear) {
   const StraightRack* const rack = gear.straight_cutter();
   const auto least = gear.undercut_free_shift();
@@ -217,8 +218,9 @@ double greatest(const Gear& gear, const Arc& arc) {
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
-// Returns the greatest δ on the arcs beyond the flank, or none if it is at most 1e-9 modules. The
-// result is accurate to rounding if δ has only one maximum on each arc.
+// Returns the greatest δ on the tip fillets beyond the flank. Returns none if it is at most 1e-9
+// modules, or if the gear has no usable flank. The result is accurate to rounding if δ has only one
+// maximum on each arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
   double most = kNoise * gear.spec.normal_module;
@@ -251,7 +253,8 @@ void find_tip_bulge(Gear& gear) {
 }
 
 // Returns the normal thickness of the finished tooth at its tip, which is the width of the
-// remaining land. The thickness is 0 if the tip is pointed or rounded.
+// remaining land. The thickness is 0 if the tip is pointed or rounded. Returns none if the gear
+// does not exist, or if a gear without a tooth has its tip inside the base circle.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
   if (!gear.involute()) {

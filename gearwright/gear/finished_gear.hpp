@@ -22,7 +22,7 @@ void warn(Gear& gear, WarningCode code, std::string message);
 
 /// Returns the normal angle τ at which the envelope of the circle has the cusp nearest to the root.
 /// The cutter undercuts a convex tooth below this angle, and a concave tooth above it. Returns none
-/// if there is no cusp on the quarter circle.
+/// if there is no cusp on the root side of the tip end of the arc.
 ///
 /// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);

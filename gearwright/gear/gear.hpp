@@ -53,7 +53,7 @@ struct InvoluteTeeth {
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without undercut, signed; only
                                                       ///< for a gear cut by a rack
   /// Positions along the rack's flank as in generation/circular_fillets.hpp.
-  std::optional<double> undercut_l;            ///< l_F  mm, signed; none if internal
+  std::optional<double> undercut_l;            ///< l_F  mm; none unless a rack cuts the gear
   std::optional<double> point_c_l, point_j_l;  ///< l_C, l_J  mm, with circular fillets
 };
 
@@ -113,8 +113,8 @@ struct Gear {
   double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
   /// Returns the error of a gear whose teeth do not exist. The error names the thickness allowance
-  /// if the gear has teeth without it. Otherwise, it names the profile shift or the rack of
-  /// circular arcs.
+  /// if a straight rack cuts the gear and the gear has teeth without the allowance. Otherwise, it
+  /// names the profile shift or the rack of circular arcs.
   ///
   /// Domain    !exists() (contract)
   Error why_not() const;
@@ -123,8 +123,9 @@ struct Gear {
   std::optional<double> root_form_radius() const;
   /// True if the two flanks of a tooth meet before the tip.
   bool pointed() const;
-  /// Returns d_Fa/2, the radius at which the usable flank ends. For an internal gear without a
-  /// tooth, this is the tip radius, or the base radius if the tip lies inside the base circle.
+  /// Returns d_Fa/2, the radius at which the usable flank ends, or the tip radius of a tooth
+  /// without a usable flank. For an internal gear without a tooth, this is the tip radius, or the
+  /// base radius if the tip lies inside the base circle.
   double tip_form_radius() const;
   /// Returns the radius at which the finished tooth ends. The blank, the bottom land of the cutter
   /// or the point of the tooth determines it.

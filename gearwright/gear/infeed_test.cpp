@@ -31,8 +31,8 @@ Shaped shaped_ring(int z_0, int z, double tip_diameter, double rounding = 0.0) {
 }
 
 // The arc, mm, that the rolling cutter removes from the ring beside the given point of its outline.
-// All rotations of one tooth of the cutter and all centre distances e ≤ E are tried, in steps·steps
-// positions. A point is removed if it lies inside the polygon of this tooth.
+// Rotations of one tooth of the cutter from −0.2 to 1.4 rad and centre distances e from 0 to E are
+// tried, each in `steps` steps. A point is removed if it lies inside the polygon of this tooth.
 double swept(const Shaped& s, const Vec2& tip, int steps) {
   const double q = s.cutter.spec.teeth / -static_cast<double>(s.ring.spec.teeth);
   std::vector<Vec2> side;

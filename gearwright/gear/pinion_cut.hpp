@@ -29,14 +29,15 @@ double shift_of_allowance(const Gear& cutter, double allowance);
 
 /// Returns the generating centre distance that gives the gear the profile shift x.
 ///
-/// Errors    `profile_shift` if there is no such distance
+/// Errors    `profile_shift` if there is no such distance; as check_cutter()
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
 
 /// Makes the gear. The gear has the module, the pressure angle and |β| of the cutter. An internal
 /// gear has the same hand as the cutter, and an external gear has the opposite hand.
 ///
 /// Domain    `cutter` is an external involute gear that exists (contract)
-/// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`
+/// Errors    `teeth`, `cut_by` or `tip_diameter` if the cutter cannot cut this gear; as
+///           check_limits()
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec);
 
 /// The material that a pinion cutter removes from the tip of an internal gear beyond the generated
@@ -50,7 +51,8 @@ struct InfeedCut {
 ///
 /// Formula   [T6.18], over all points of the cutter above its root fillet
 /// Domain    both teeth have an outline, the ring is internal (contract)
-/// None      if no point of the cutter has a limiting position before it reaches E
+/// None      if the ring has no flank, or if no point of the cutter has a limiting position before
+///           the cutter reaches E
 std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const GeneratedTooth& ring,
                                     double distance);
 
@@ -64,8 +66,8 @@ std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const Generate
 
 /// Returns the internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter
 /// would remove part of the flank, a cutter with another tip rounding or number of teeth is used.
-/// All other data of the gear are unchanged. Returns none if no cutter leaves the whole flank up to
-/// the tip.
+/// The warnings are made anew, and all other data of the gear are unchanged. Returns none if none
+/// of the cutters that are tried leaves the whole flank up to the tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);

@@ -15,7 +15,8 @@ enum class Severity {
   caution,  ///< the gears run, but the user should check this
   problem,  ///< the gears cannot be made or do not run as specified
 };
-/// The codes, the worst first. Findings of equal severity are reported in this order.
+/// The codes of gears and pairs, the worst first, and then further codes. Findings of equal
+/// severity are reported in this order.
 enum class WarningCode {
   contact_lost,  ///< at some positions no tooth pair touches
   // The gear does not exist.
@@ -162,7 +163,7 @@ inline const char* to_string(WarningCode code) { return meaning_of(code).text; }
 /// A fact about a gear or a pair that the user should know and that is not an error.
 struct Warning {
   WarningCode code;
-  std::string message;  ///< one sentence for people
+  std::string message;  ///< one or more sentences for the user
   int gear = 0;         ///< 1, 2, or 0 for the pair
 };
 inline Severity severity_of(const Warning& warning) { return meaning_of(warning.code).severity; }

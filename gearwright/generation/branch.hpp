@@ -70,8 +70,9 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
 
 /// Returns the chain up to the tip, for branches in any order. The chain begins at the root with
-/// the first branch and follows the lowest half angle at every height [T6.13]. This function is
-/// slower than assemble() and is used if the path of a point of the cutter turns back.
+/// the first branch and follows the lowest half angle at every height [T6.13]. The result is empty
+/// if no branch continues the chain up to the tip. This function is slower than assemble() and is
+/// used if the path of a point of the cutter turns back.
 std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
 
 /// Returns true if every branch begins at the end of the preceding branch.

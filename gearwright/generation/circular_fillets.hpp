@@ -75,7 +75,8 @@ struct FilletArc {
 std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double xi);
 
 /// Returns the tip fillet that touches the flank at ξ_J and is centred in the tooth. The result is
-/// empty if ξ_J lies beyond the point at which both flanks of the tooth meet.
+/// empty if ξ_J lies beyond the point at which both flanks of the tooth meet, or if |δ| ≥ π/2,
+/// because the normal of the flank then does not meet the centre line.
 ///
 /// Formula   r_t = r_b (ξ + tan δ), D = r_b/cos δ, σ = π/2 + δ, end D + r_t; [T6.3]
 /// Domain    ξ_J ≥ 0 (contract)
@@ -96,7 +97,7 @@ struct CircularFillet {
 ///
 /// Formula   r_b ξ_J = ρ_a + √((r_a − ρ_a)² − r_b²), D = r_a − ρ_a, γ = δ + acos(r_b/D),
 ///           σ = π/2 − acos(r_b/D); [T6.17]
-/// Domain    0 < ρ_a ≤ r_a − r_b (contract)
+/// Domain    0 < ρ_a ≤ r_a − r_b; `tip_radius` is r_a, `radius` is ρ_a (contract)
 CircularFillet tip_corner_at(const Involute& flank, double tip_radius, double radius);
 
 struct CircularFillets {
@@ -108,6 +109,7 @@ struct CircularFillets {
 ///
 /// Errors    `root_fillet.offset`, `tip_fillet.radius`, `tip_fillet.l`, `tip_fillet.end_radius` or
 ///           `tip_fillet.corner_radius` with the range that fits; `tip_fillet` if no flank is left
+/// Domain    `tip_radius` is given for the rounding of a tip corner (contract)
 Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
                                          const std::optional<RootFilletSpec>& root,
                                          const std::optional<TipFilletSpec>& tip,

@@ -47,7 +47,8 @@ double left_by_land(const CutterEdge& edge, const RackMotion& motion);
 /// Units     mm, rad
 /// Domain    teeth ≥ 1 (contract)
 /// Errors    `tip_diameter` if the blank is no larger than the root circle; `root_fillet`,
-///           `tip_fillet` if the rack leaves no flank at the point of tangency
+///           `tip_fillet` if the rack leaves no flank at the point of tangency;
+///           `root_fillet.offset`, `tip_fillet` if a fillet leaves no flank
 Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
                                    double blank_radius, const CircularFillets& fillets = {});
 

@@ -74,8 +74,9 @@ class PinionEnvelope final : public Curve {
   bool cuts(double t) const;
   bool reaches(double t) const;  ///< true if the normal meets the centrode, s < r_p
   /// Returns the parameters at which cuts() may change, in order from a to b. They are the cusps
-  /// and the ends of the range in which the normal meets the centrode. For circles and corners they
-  /// are computed in closed form. For other curves, the roots are bracketed on 256 cells. [T6.9]
+  /// and the ends of the range in which the normal meets the centrode. For corners, they are
+  /// computed in closed form. For circles, the cusps are roots of a cubic. For other curves, the
+  /// roots are bracketed on 256 cells. [T6.9]
   std::vector<double> breaks(double a, double b) const;
   /// Returns the parameters at which the half angle of the gear tooth is stationary, in order from
   /// a to b. The condition is q = w (1 + 1/m). [T6.10]

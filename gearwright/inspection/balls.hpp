@@ -48,12 +48,14 @@ struct PinReading {
                                         ///< pins that can tilt
 };
 
-/// Returns the ball or pin in a space of the gear, if it touches both flanks and can be measured.
+/// Returns the ball or pin in a space of the gear, if it touches both flanks and can be measured. A
+/// ball whose contacts lie below the usable flank is also returned, but is not usable().
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
 /// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
 ///           if the ball is too small or too large for the space, rests on the tips, touches the
 ///           root or does not project beyond the tips. The message gives the diameters that fit
+/// Domain    ball_diameter > 0 (contract)
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
 /// Returns the dimension over two opposite balls in one transverse plane or, for an internal gear,
@@ -64,8 +66,9 @@ double over_two_balls(const Gear& gear, const BallSeat& seat);
 /// Returns the dimensions over pins, or none for an internal helical gear, in which a straight pin
 /// does not fit.
 ///
-/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9], face [T10.35]; parallel anvils: d_K ±
-///           D_M [T10.10]; three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
+/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9], face [T10.35]; parallel anvils on a
+///           helical gear: d_K + D_M [T10.10]; on a spur gear: as over_two_balls(); three pins of a
+///           spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
 /// Domain    |z| ≥ 2 (contract)
 PinReading over_pins(const Gear& gear, const BallSeat& seat);
 
@@ -77,7 +80,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat);
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
 /// Returns the transverse base tooth thickness, mm, for the dimension M_d over two balls. [T10.12]
 ///
-/// None      if the balls would lie inside the base cylinder
+/// None      if the centres of the balls would lie inside the base cylinder
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
                                                 double dimension);
 
@@ -87,7 +90,8 @@ struct BallSizes {
                   ///< nearest size
   double inch;    ///< inch, a ball size in steps of 1/64, 1/32 or 1/16 inch
 };
-/// Returns the ball sizes of a gear, or none if no ball can be measured.
+/// Returns the ball sizes of a gear. Returns none if no ball touches the usable flank, or if |z| <
+/// 2.
 std::optional<BallSizes> ball_sizes(const Gear& gear);
 
 }  // namespace gearwright

@@ -121,8 +121,9 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
 /// Domain    d_y ≥ d_b (contract); θ_t ≤ 0 beyond the diameter at which the flanks meet
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 /// Returns the shortest chord over a tooth of a gear, which may be internal. The tooth thickness
-/// includes the thickness allowance. The usable flank extends from d_Ff to d_Fa, or for an internal
-/// gear from d_Fa to the root. It never extends inside the base circle.
+/// includes the thickness allowance. The usable flank lies between d_Ff and d_Fa, or for an
+/// internal gear without a tooth between d_Fa and the root diameter. It never extends inside the
+/// base circle.
 ///
 /// Errors    `chord_diameter` if the diameter is not on the usable flank, if the flanks meet before
 ///           this diameter, if no calliper can span the tooth, or if the gear has no flank

@@ -70,7 +70,7 @@ struct ActiveFlank {
 };
 
 struct EvaluationRanges {
-  RollPlace root_form, reference, tip_form;  ///< at d_Ff, d, d_Fa
+  RollPlace root_form, reference, tip_form;  ///< at d_Ff, d (d_b if this is greater), d_Fa
   std::array<double, 2> profile;             ///< mm, roll lengths of both ends
   std::array<double, 2> helix;          ///< mm, heights of both ends from the middle of the face
   std::optional<ActiveFlank> active{};  ///< present if the gear is mounted and touches its mating

@@ -7,9 +7,8 @@
 // Tolerances are in µm. The formulas give the tolerances of class 5. From one class to the next,
 // the tolerances increase by the factor √2. The formulas of the edition of 2013 use the dimensions
 // of the gear. The formulas of the edition of 1995 use the geometric means of the ranges in which
-// these dimensions lie. Radial composite tolerances follow ISO 1328-2:1997. Tolerances of the
-// sector pitch and single flank composite tolerances exist only in the edition of 1995. Tolerances
-// of axes follow ISO/TR 10064-3.
+// these dimensions lie. Radial composite tolerances follow ISO 1328-2:1997. Single flank composite
+// tolerances exist only in the edition of 1995. Tolerances of axes follow ISO/TR 10064-3.
 #pragma once
 
 #include <optional>
@@ -44,12 +43,12 @@ struct FlankToleranceValues {
   std::optional<double> radial_composite;        ///< F_i″, total, ISO 1328-2:1997
   std::optional<double> tooth_radial_composite;  ///< f_i″, tooth to tooth
   std::optional<double> base_pitch{};            ///< f_pb, ±; not rounded
-  std::optional<double> sector_pitch{};          ///< F_pk over k = ⌊|z|/8⌋ pitches
-  std::optional<double> single_flank{};          ///< F_i′, total composite with the mating gear
-  std::optional<double> tooth_single_flank{};    ///< f_i′, tooth to tooth
-  std::optional<double> axis_deviation{};    ///< f_Σβ of the pair, out of the plane of the axes
-  std::optional<double> axis_inclination{};  ///< f_Σδ of the pair, in the plane of the axes
-  int quality = 0;                           ///< the class and edition of these values
+  std::optional<double> sector_pitch{};        ///< F_pk over k = ⌊|z|/8⌋ pitches; none if k < 2
+  std::optional<double> single_flank{};        ///< F_i′, total composite with the mating gear
+  std::optional<double> tooth_single_flank{};  ///< f_i′, tooth to tooth
+  std::optional<double> axis_deviation{};      ///< f_Σβ of the pair, out of the plane of the axes
+  std::optional<double> axis_inclination{};    ///< f_Σδ of the pair, in the plane of the axes
+  int quality = 0;                             ///< the class and edition of these values
   FlankTolerances edition = FlankTolerances::iso_2013;
 };
 
@@ -65,8 +64,9 @@ inline constexpr const char* kClassesOfEditions =
 std::string beyond_range(FlankTolerances edition, const ToleranceSubject& gear);
 /// Returns all tolerances except the tolerances of the axes.
 ///
-/// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
-///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]
+/// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb and,
+///           in the edition of 1995, F_pk, F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32];
+///           F_pk in the edition of 2013, [T10.37]
 /// Units     mm in, µm out
 /// Domain    has_class (contract). Radial composite tolerances are absent if the diameter is
 ///           outside 5 to 1000 mm, or the module outside 0.2 to 10 mm

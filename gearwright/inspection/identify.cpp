@@ -146,8 +146,8 @@ class Searching {
     return std::any_of(readings_.begin(), readings_.end(),
                        [&](const Observation& o) { return o.kind == kind; });
   }
-  // True for an internal gear with a span, unless another reading contradicts a spur gear. Plane
-  // anvils do not fit into the spaces of an internal helical gear.
+  // True for an internal gear with a span, unless a lead or a helix angle is measured as well.
+  // Plane anvils do not fit into the spaces of an internal helical gear.
   bool measured_as_spur_ring() const {
     return problem_.teeth < 0 && has(Reading::span) && !has(Reading::lead) &&
            !has(Reading::helix_angle);

@@ -146,10 +146,11 @@ struct Identification {
                                                ///< measurement distinguishes the candidates
   std::string reason;                          ///< the reason why no gear agrees with the readings;
                                                ///< empty if one agrees
-  std::optional<Alternative> alternative{};    ///< present if the correction of one input gives
-                                               ///< a gear that agrees, and if the first candidate
+  std::optional<Alternative> alternative{};    ///< present if the correction of one input gives a
+                                               ///< gear that agrees, and if the first candidate
                                                ///< disagrees with the readings, is nonstandard or
-                                               ///< is implausible
+                                               ///< is implausible, or has |x_E| > 1 although the
+                                               ///< corrected gear has not
 };
 inline constexpr int kMostCandidates = 8;
 /// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size

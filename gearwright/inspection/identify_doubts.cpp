@@ -88,8 +88,8 @@ bool agrees_well(const IdentifiedGear& g) {
          g.tip != TipReading::longer && g.tip != TipReading::shortened;
 }
 
-// Greatest magnitude of the profile shift of most gears. If the profile shift is greater, the
-// function searches for a mistake whose correction gives a smaller profile shift.
+// Greatest magnitude of the profile shift of most gears. If the profile shift is greater,
+// identify() searches for a mistake whose correction gives a smaller profile shift.
 constexpr double kUsualShift = 1.0;
 
 bool is_usual(const IdentifiedGear& g) { return std::abs(g.generating_shift) <= kUsualShift; }

@@ -29,7 +29,7 @@ struct NominalPoint {
 };
 
 struct PointGrid {
-  int profile = 9;  ///< number of points from root to tip, in equal steps of roll length
+  int profile = 9;  ///< number of points along the profile, in equal steps of ascending roll length
   int helix = 5;    ///< number of points along the face, in equal steps
 };
 

@@ -22,7 +22,8 @@ TEST(FlankTolerances, are_rounded_as_the_standard_says) {
   EXPECT_DOUBLE_EQ(rounded_tolerance(3.14), 3.1);
 }
 
-// d 100, m 6, b 36: all square roots are whole numbers, so the sums can be computed by hand.
+// d 100, m 6, b 36: the square roots of d and b are whole numbers, so the sums can be computed by
+// hand.
 TEST(FlankTolerances, of_the_formulas_by_hand) {
   const ToleranceSubject gear{100, 6, 36, 17, 0.0};
   const auto t = flank_tolerances(FlankTolerances::iso_2013, 5, gear);

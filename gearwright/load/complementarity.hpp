@@ -34,12 +34,13 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// The set of loaded places did not change, and the last step was small. A step is small if it
-    /// is below 1e-11 of the greatest load, or below the rounding error that is caused by
-    /// cancelling terms. A rounding error of up to a thousandth of the greatest load is accepted.
+    /// The set of loaded places did not change and, with a local term, the last step was small. A
+    /// step is small if it is below 1e-11 of the greatest load, or below the rounding error that is
+    /// caused by cancelling terms. A rounding error of up to a thousandth of the greatest load is
+    /// accepted.
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
-    too_long     ///< the limit of steps was reached
+    too_long     ///< the limit of steps was reached, or a number is not finite
   };
   Stop stop = Stop::too_long;
   Eigen::VectorXd line_load;      ///< p  N/mm
@@ -52,8 +53,8 @@ struct ContactSolution {
 };
 
 /// Solves the problem. The iteration starts from the loads `start`, N/mm, for example from the
-/// solution of a similar problem. If `start` is empty, all places start with the same load. Apart
-/// from rounding errors, the solution does not depend on `start`.
+/// solution of a similar problem. If `start` is empty or contains no load > 0, all places start
+/// with the same load. Apart from rounding errors, the solution does not depend on `start`.
 ///
 /// Domain    at least one place; moment > 0; one start load ≥ 0 for each place (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});

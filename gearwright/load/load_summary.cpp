@@ -15,7 +15,7 @@ using Solved = std::vector<const LoadedPosition*>;
 
 // Returns the mean, least and greatest stiffness (load divided by approach), in N/(mm µm) for a
 // line load or N/µm for a force. `yield` returns the approach at a position. The mean stiffness is
-// the load divided by the mean approach.
+// `load` divided by the mean of `yield`.
 template <class Yield>
 LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yield) {
   double sum = 0.0;

@@ -57,7 +57,7 @@ std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 LoadedScore no_score();
 /// Returns the score in which each member is the worse of the two values in `a` and `b`. NaN is
-/// worse than any number.
+/// worse than any number. `face_load_factor` is absent unless both scores have it.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
 /// The effect of corrections under a torque. A score has the worst values over all scenarios.

@@ -47,7 +47,8 @@ struct LoadedPair {
   Eigen::VectorXd half_width;                 ///< mm
   std::vector<std::array<double, 2>> radius;  ///< mm, on both gears, for each slice
 };
-/// The contact at one position. Values are NaN if no teeth touch or the forces do not converge.
+/// The contact at one position. Values are NaN if no teeth touch or the forces do not converge; in
+/// the second case, `unloaded_te` is present.
 struct LoadedPosition {
   Angle rotation1{};
   Angle te = Angle::radians(kNoNumber);           ///< loaded TE
@@ -82,13 +83,15 @@ struct LoadedTorque {
   /// Empty if rotations are given or a position is unsolved, because a whole pitch is needed.
   std::vector<Angle> harmonics{};
   struct Stiffness {
-    /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach
+    /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach or, for
+    /// point contact, the reciprocal of the mean approach per force
     double mean = kNoNumber, min = kNoNumber, max = kNoNumber;
   };
   Stiffness stiffness, without_twist, tangent;
   double max_pressure = kNoNumber;
   double max_share = 0.0;  ///< greatest load share of one tooth pair
-  /// K_Hα: `max_share` divided by `max_share` of the same gears without errors [T12.19]
+  /// K_Hα: `max_share` divided by `max_share` of the same gears without errors [T12.19]; NaN if the
+  /// latter is unknown
   double transverse_load_factor = 1.0;
   std::array<double, 2> max_root_stress{kNoNumber, kNoNumber};
   double face_load_factor = 1.0;  ///< K_Hβ: greatest value of `face_load` divided by its mean

@@ -46,8 +46,8 @@ class PositionSolver {
                  const LoadRequest& request);
 
   /// Computes gaps and compliance at a rotation in the frame N. Slices::all includes all slices of
-  /// the tooth pairs. It is necessary if the flanks change afterwards, because a change can close
-  /// any gap.
+  /// the tooth pairs that may touch. It is necessary if the flanks change afterwards, because a
+  /// change can close any gap.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// Returns ∂te/∂e at the place of a slice, rad per unit of the influence.
@@ -58,7 +58,8 @@ class PositionSolver {
   /// sets `too_fine`.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
-  /// Returns the greatest share of a single tooth pair, or NaN if the forces do not converge.
+  /// Returns the greatest share of a single tooth pair, 0 if no teeth touch, or NaN if the forces
+  /// do not converge.
   double greatest_share(Position& at, double torque) const;
 
  private:

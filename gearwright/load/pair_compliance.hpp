@@ -62,9 +62,10 @@ struct LoadRequest {
 /// had an indefinite matrix at a width of 0.32 modules, and none at 0.36 modules.
 ///
 /// The contact of internal pairs is wider than that of external pairs, so their slices must be
-/// wider. The least width of a slice is four times the half width of the contact at the pinion's
-/// tip under a line load of 125 N/mm per mm of module. With slices of this width, all six tested
-/// pairs, with tooth numbers from 14:30 to 40:52, had a solution up to 400 MPa at the roots.
+/// wider. The least width of a slice is at least four times the half width of the contact of steel
+/// gears at the pinion's tip under a line load of 125 N/mm per mm of module. With slices of this
+/// width, all six tested pairs, with tooth numbers from 14:30 to 40:52, had a solution up to 400
+/// MPa at the roots.
 ///
 /// For point contact, the root stress depends on the width of the slices. For crossed gears with 17
 /// and 31 teeth at 90°, the stress is 2 % lower with slices of 0.6 modules than with slices of 0.2
@@ -74,7 +75,7 @@ std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegim
 
 /// Returns the value of LoadRequest::reach for crossed axes. The path of contact extends beyond the
 /// pitch point by at most h_a/sin α_n. The value is this length plus 2 modules for the ellipses and
-/// errors, but at least half of the width of 32 slices.
+/// errors, but at least half of the width of 32 slices of 0.4 modules.
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
 inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face
@@ -113,7 +114,8 @@ struct PairCompliance {
 /// always computed.
 ///
 /// Domain    gear 1 is external; with LoadRegime::line, involute gears on parallel axes; with
-///           LoadRegime::point, gear 2 is also external (contract)
+///           LoadRegime::point, gear 2 is also external; with a shaft, both values of `middle` are
+///           equal (contract)
 /// Errors    `gearN.…` as make_section_mesh
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
@@ -127,7 +129,8 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
                                                            int which, const LoadRequest& request);
 
 /// True if gear `which` has the same table in the pairs `a` and `b`. This is the case if its tooth,
-/// face, body, slices and accuracy are equal to the last bit.
+/// face, slices and body without Young's modulus are equal to the last bit, and if the requests
+/// have the same accuracy, regime and `root_stress`.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
 

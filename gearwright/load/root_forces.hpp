@@ -17,8 +17,8 @@ struct ToothForces {
 };
 
 /// Returns the index of the tooth of pair `a` in the section, counted counter-clockwise from the
-/// tooth of pair `b`. In the section, which is the mirror image of the frame N, a tooth of gear 1
-/// has a lower index than the teeth that come into contact before it.
+/// tooth of pair `b`. In the section, a tooth of gear 1 has a lower index than the teeth that come
+/// into contact before it.
 inline int teeth_between(int gear, int a, int b) { return gear == 0 ? b - a : a - b; }
 
 /// Extreme stresses along the fillets over several positions, MPa. There is a row per root point

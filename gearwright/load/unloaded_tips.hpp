@@ -28,7 +28,8 @@ struct TipPath {
 
 struct UnloadedTips {
   std::array<double, 2> amount{};  ///< C_i  mm
-  /// False if a tip carries load with the greatest relief that is tried, a fortieth of the module.
+  /// False if a tip carries load with the greatest relief that is tried, a fortieth of the module,
+  /// or if the forces do not converge with this relief.
   std::array<bool, 2> unloaded{true, true};
 };
 
@@ -38,8 +39,8 @@ struct UnloadedTips {
 /// Form waves are also ignored.
 ///
 /// Formula   [T12.27]
-/// Domain    involute teeth with line contact; `compliance` belongs to the gears of `setup`
-///           (contract)
+/// Domain    involute teeth with line contact; `compliance` belongs to the gears of `setup`; at
+///           least one torque (contract)
 /// Accuracy  the amounts exceed the least possible amounts by at most 0.005 µm. If `unloaded` is
 ///           false, the amount is the greatest relief that is tried
 /// Errors    `gearN.modifications.tip_relief.reach` as make_removal_field

@@ -34,7 +34,7 @@ struct PinionMounting {
 struct FaceLoad {
   Factor K_Hbeta;
   std::optional<Factor> f_sh, F_betax, F_betay;  ///< µm, present if K_Hβ is computed from f_sh
-  bool offset_in_range = true;                   ///< true if s/l is below the limit of the figure
+  bool offset_in_range = true;                   ///< true if s/l is at most the limit of the figure
 };
 
 /// Computes K_Hβ without helix modification, from the mounting.

@@ -29,9 +29,10 @@ double running_in_relief(const std::array<Material, 2>& materials);
 
 /// Returns the reduced mass of the mesh per millimetre of face, kg/mm.
 ///
-/// Formula   [T11.4]; ISO 6336-1, 6.5.9, (30): a gear is a ring between the bore and
-///           d_m = (d_a + d_f)/2. An internal gear is a ring outside d_m; by default its rim has a
-///           thickness of 2.5 modules
+/// Formula   [T11.4]; ISO 6336-1, 6.5.9, (30): a gear is a ring between the bore and d_m = (d_Fa +
+///           d_f)/2. An internal gear is a ring outside d_m; by default its rim has a thickness of
+///           2.5 modules
+/// Domain    the densities of both materials are known (contract)
 double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materials);
 
 struct DynamicInput {

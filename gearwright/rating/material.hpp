@@ -81,7 +81,7 @@ struct NamedMaterial {
 std::span<const NamedMaterial> named_materials();
 
 /// The allowable stress numbers for quality MQ at a hardness, computed from the line of ISO 6336-5;
-/// none if the hardness is outside the range of this line.
+/// none if the kind has no such line or if the hardness is outside the range of this line.
 ///
 /// Formula   ISO 6336-5, clause 5, σ = A·x + B, with x in HV or HB depending on the kind
 /// Source    Printed reports confirm the values for case-hardened steel (1500, 430) and for

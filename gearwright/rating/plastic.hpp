@@ -26,7 +26,8 @@ struct PlasticInput {
   std::optional<double> ambient_temperature;                                 ///< ϑ_0  °C
   std::optional<double> friction;                                            ///< μ
   double housing_resistance = 0.0;            ///< R_λG  K m²/W; 0 for an open housing
-  std::optional<double> housing_area;         ///< A_G   m²
+  std::optional<double> housing_area;         ///< A_G   m²; if absent, `housing_resistance` has no
+                                              ///< effect
   double duty = 1.0;                          ///< ED
   std::optional<double> flank_heat_transfer;  ///< k_ϑ of the flank
   std::optional<double> root_heat_transfer;   ///< k_ϑ of the root

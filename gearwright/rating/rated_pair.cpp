@@ -12,9 +12,10 @@ namespace gearwright {
 namespace {
 
 // Returns the tool that determines the root of a gear. If an internal gear has no given cutter,
-// gear/pinion_cut.hpp has chosen a default cutter, which has no profile shift and the tip rounding
-// of the gear's rack. For a given cutter, the profile shift is computed from the generating centre
-// distance, and the tip rounding is the rounding of the cutter's tip corners.
+// gear/pinion_cut.hpp has chosen a default cutter, which has no profile shift. Its tip rounding is
+// assumed to be the tip rounding of the gear's rack. For a given cutter, the profile shift is
+// computed from the generating centre distance, and the tip rounding is the rounding of the
+// cutter's tip corners.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   RootTool tool;

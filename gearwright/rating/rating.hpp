@@ -5,10 +5,10 @@
 //   if (r) use(r->S_F[0].value, r->S_F[0].formula);
 //
 // Lists of two values are in the order gear 1, gear 2 of the spec, whichever is the pinion. A
-// factor whose input is not given is 1, and its branch states this. Scuffing and micropitting
-// (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same
-// numbers by VDI 2736 at the temperatures of the teeth. Factors that this guideline does not
-// contain are absent.
+// factor whose optional input is not given is 1, and its branch states this. Scuffing and
+// micropitting (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp
+// computes the same numbers by VDI 2736 at the temperatures of the teeth. Factors that this
+// guideline does not contain are absent.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
 
@@ -50,7 +50,8 @@ struct RatingInput {
   std::optional<PinionMounting> mounting;
   std::optional<MeshShafts> shafts;    ///< used to compute K_Hβ if neither K_Hβ nor a mounting is
                                        ///< given
-  std::optional<double> misalignment;  ///< f_ma  µm, used with `shafts`; by default from the helix
+  std::optional<double> misalignment;  ///< f_ma  µm, used with `shafts` or if K_Hβ is computed from
+                                       ///< the load along the teeth; by default from the helix
                                        ///< slope tolerances
   std::optional<RatedBody> body;
   std::array<std::optional<double>, 2> rim{};  ///< s_R  mm, rim thickness for Y_B
@@ -92,9 +93,9 @@ std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 ///           and a factor requires it; `rating.face_load_factor` if neither this factor nor a
 ///           mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for double-helical
 ///           gears without a face load factor; `gearN.rack` if no tangent touches the root;
-///           `gearN.profile_shift` if single pair contact reaches a base circle; by
-///           VDI 2736 `rating.plastic…`, and `gearN.material…` if there is no value at the
-///           temperature
+///           `gearN.profile_shift` if single pair contact reaches a base circle; by VDI 2736
+///           `rating.plastic…`, `rating.edition` if neither gear is made of plastic or if a gear is
+///           internal, and `gearN.material…` if there is no value at the temperature
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T
 ///           (2) if lengths are multiplied by k and the torque by k³, the stresses do not change
 ///           (3) if gear 1 and gear 2 are exchanged, and torque and speed are those of the new

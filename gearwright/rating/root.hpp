@@ -1,7 +1,7 @@
 // Factors of tooth bending strength by ISO 6336-3.
 //
-//   σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT             σ_F = σ_F0 K_A K_γ K_v K_Fβ K_Fα
-//   σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F
+//   σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT                 σ_F = σ_F0 K_A K_γ K_v K_Fβ K_Fα
+//   σ_FG = σ_Flim Y_ST Y_M Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F
 //
 // The critical section lies where a line at 30° to the tooth's centre line (60° for an internal
 // gear) is tangent to the fillet. The fillet has the radius ρ_F there, and the chord of the section
@@ -36,7 +36,7 @@ struct CriticalSection {
 /// cutter.
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
-/// None      if no tangent at 30° (60°) touches the fillet
+/// None      if no tangent at 30° (60°) touches the fillet, or if s_Fn, ρ_F or h_F is not > 0
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 

@@ -4,9 +4,9 @@
 //   U     damage Σ n_i/N_i, 1 at failure (Miner)
 //
 // As in ISO 6336-6, every step is rated with its own load factors and with K_A = 1, because the
-// spectrum replaces K_A. The safety factor is the factor by which all stresses must be multiplied
-// for a damage of 1. A stress below the strength at 10¹⁰ cycles causes no damage. A stress above
-// the static strength causes failure.
+// spectrum replaces K_A. The safety factor is the factor from 0.001 to 1000 by which all stresses
+// must be multiplied for a damage of 1. A stress below the strength at 10¹⁰ cycles causes no
+// damage. A stress above the static strength causes failure.
 #pragma once
 
 #include <optional>

@@ -65,7 +65,7 @@ class LinearFamily {
 /// Returns first-order estimates of the peak-to-peak TE, rad, for the first `count` samples of the
 /// first replicate of a task.
 ///
-/// Errors    as scatter_of(); nothing_touches() if the nominal pair loses contact
+/// Errors    as check_family(); nothing_touches() if the nominal pair loses contact
 Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,
                                          int count);
 

@@ -17,10 +17,10 @@
 namespace gearwright {
 
 /// The gradient g of each quantity, in the unit of the quantity per user's unit of x. A quantity
-/// without a value or a derivative at the nominal pair has no gradient. At x = 0, the members are
-/// not continuous in the coordinates of waves and pitches. A quantity that varies with such a
-/// coordinate has no gradient. For any other quantity, the derivative with respect to such a
-/// coordinate is 0.
+/// without a value or a derivative at the nominal pair has no gradient. If teeth near the nominal
+/// pair do not exist, no quantity has a gradient. At x = 0, the members are not continuous in the
+/// coordinates of waves and pitches. A quantity that varies with such a coordinate has no gradient.
+/// For any other quantity, the derivative with respect to such a coordinate is 0.
 ///
 /// `deviation` contains the standard deviation of each quantity. A kink of a quantity at x = 0
 /// is ignored if it explains at most 0.5 % of the variance.

@@ -80,7 +80,8 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 /// backlash describe the whole gears, one of which floats along its axis. Errors of mounting apply
 /// to both halves, and deviations of the teeth are the same on both halves. `edge_share` is the
 /// mean of both halves. `along_face` and `along_profile` are each taken from the half with the
-/// greater magnitude, and `along_face` is > 0 away from the apex.
+/// greater magnitude, and `along_face` is > 0 away from the apex. If contact is lost at some
+/// position, only `edge_share`, `least_play` and the clearances have values.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a
 ///           double-helical pair (contract)

@@ -24,7 +24,7 @@ namespace gearwright {
 /// Formula   [T14.29]
 /// None      if there is no corner, if the play has no value at a corner, if the pair is internal,
 ///           double-helical, on crossed axes or not involute, or if it has reliefs, topographies,
-///           waves or changed leads of cutters
+///           waves or changed leads of cutters, or if the flanks can touch near a base circle
 /// Laws      (1) no member within the ranges has less play
 std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterTask& task,
                                        const std::vector<std::vector<double>>& corners);

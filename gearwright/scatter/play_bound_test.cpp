@@ -101,7 +101,7 @@ TEST(PlayBound, NoMemberHasLess) {
 }
 
 // The bound assumes convex functions. A flank with a kink is not convex. A peak to peak is a
-// difference of two convex functions, so it is not convex either.
+// difference of two convex functions, so it need not be convex.
 TEST(PlayBound, IsNoneWithoutConvexity) {
   const std::vector<ScatterTolerance> tolerances{testing::distance(0.02), testing::crossing(0.02)};
   testing::DrawnPair drawn = testing::spur_pair(true);

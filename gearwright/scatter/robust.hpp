@@ -55,10 +55,11 @@ struct RobustCorrections {
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
 /// Laws      (1) in the samples from the other seed, the corrections increase neither the
-///           percentile nor the number of samples without f. Corrections that would increase one of
-///           them are replaced by 0   (2) the result is the same, byte for byte, for any number of
-///           threads   (3) with tolerances of width 0, the percentile with the corrections is equal
-///           to the value at the optimum of the nominal pair
+///           percentile nor the number of samples without f. Corrections that increase this number,
+///           or that do not lower the percentile by more than kSameError, are replaced by 0
+///           (2) the result is the same, byte for byte, for any number of threads
+///           (3) with tolerances of width 0, the percentile with the corrections is equal to the
+///           value at the optimum of the nominal pair
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

@@ -1,5 +1,6 @@
-// Finds the corrections with the lowest percentile of a quantity over a family. A search of the
-// box, descents of the mean of the worst samples, and a local search follow each other.
+// Finds the corrections with the lowest percentile of a quantity over a family. A descent of the
+// mean of the worst samples, a search of the box, a second descent and a local search follow each
+// other.
 //
 //   v     corrections                       f_k   the quantity of sample k, with the corrections v
 //   p     the percentile, as a fraction     CVaR  mean of the worst 1 − p of all f_k

@@ -115,9 +115,10 @@ struct IndexEstimates {
 struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
-  bool corner;            ///< true if every coordinate is at an end of its range
+  bool corner;            ///< true if every tolerance is at an end of its range, and every bore on
+                          ///< its circle
   /// The lower bound of the least play from least_play_bound(), rad. None if the quantity is the
-  /// peak to peak.
+  /// peak to peak, or if there is no such bound.
   std::optional<double> bound;
 };
 
@@ -130,13 +131,14 @@ struct Loosening {
   double percent, percentile;
   struct Change {
     /// Greatest factor for the width of the tolerance with which the percentile exceeds
-    /// `percentile` by at most the fraction kLooser. None if all factors up to kMostFactor with
-    /// possible teeth meet this limit.
+    /// `percentile` by at most the fraction kLooser, or by kSameError if this is greater. None if
+    /// all factors up to kMostFactor with possible teeth meet this limit.
     std::optional<double> factor;
     double halved;  ///< rad, the percentile if this tolerance is halved
   };
   std::vector<Change> by_tolerance;
-  /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
+  /// The tolerance whose halving lowers the percentile most; none if no halving lowers it by more
+  /// than kSameError.
   std::optional<std::size_t> tighten_first;
 };
 constexpr double kLooser = 0.05, kMostFactor = 8.0;
@@ -144,9 +146,11 @@ constexpr double kLooser = 0.05, kMostFactor = 8.0;
 struct Scatter {
   Scatter() = default;                 ///< empty; also prevents aggregate initialisation
   std::vector<ScatterSample> samples;  ///< replicate by replicate
-  /// The spread of each ScatterQuantity; none if no sample has a value of this quantity.
+  /// The spread of each ScatterQuantity; none if no sample that keeps contact has a value of this
+  /// quantity.
   std::array<std::optional<Spread>, kScatterQuantities> spread{};
-  /// None if the quantity varies by rounding only, or if a sample has no contact.
+  /// None if the indices are not requested, if the quantity varies by rounding only, or if a sample
+  /// has no contact or no value.
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};
   Probability edge_contact{}, jam{}, contact_lost{};
   std::optional<WorstMember> worst_peak_to_peak, worst_least_play;

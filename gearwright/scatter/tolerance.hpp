@@ -126,8 +126,9 @@ std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tole
 
 /// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, for the first tolerance with an invalid end; the field of the
-///           error is the name of this tolerance
+/// Errors    as ContactSetup::of, for the first tolerance with an invalid end, or for a varying
+///           wave if the gear already has a wave in the same direction; the field of the error is
+///           the name of this tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 

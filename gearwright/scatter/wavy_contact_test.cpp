@@ -142,9 +142,9 @@ TEST(WavyContact, OneGearMayHaveNoWaves) {
   }
 }
 
-// Because the waves have a closed form, each of the 32 positions of the curve needs less than 20
-// evaluations. Without the closed form, a position would need 1000. The extremes do not depend on
-// the number of positions.
+// Because the waves have a closed form, the 32 positions of the curve need on average less than 20
+// evaluations each. Without the closed form, a position would need 1000. The extremes do not depend
+// on the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
   const testing::SamplePair sample = wavy(0.009, 2, 4, 1.7);
   const ContactPair pair = sample.pair();

@@ -14,6 +14,7 @@ namespace gearwright {
 /// Returns the member with the greatest peak to peak, or with the least play. The search starts at
 /// the worst corners of the box and at the worst samples. Its steps have the directions of the
 /// coordinates and of the last improvement. The steps are halved if they give no improvement.
+/// Returns none if no member has a value.
 ///
 /// Accuracy  the worst local optimum that is found from several starts, which is not a bound.
 ///           For the least play, WorstMember::bound is a bound [T14.29]

@@ -39,12 +39,12 @@ ArcRack default_arc_rack(ArcRack::Cutter cutter);
 double full_radius(const ArcRack& rack);
 
 /// Returns tip rounding and flank as a chain of arcs. The arc of the flank extends beyond the tip
-/// of the gear tooth to the middle of the tooth, where the arcs of both sides meet. On P, the arc
-/// ends at a normal angle of 1° if this angle is reached first. [T7.1], [T7.2], [T7.4]
+/// of the gear tooth to the middle of the tooth, where the arcs of both sides meet. The arc ends at
+/// a normal angle of 90° on F and of 1° on P if this angle is reached first. [T7.1], [T7.2], [T7.4]
 ///
-/// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
-///           `rack.addendum`, each with the allowed limit; `rack.pressure_angle` if no point of the
-///           arc has this angle
+/// Errors    `rack.arc_radius`, `rack.center_a`, `rack.center_b`, `rack.dedendum`,
+///           `rack.root_fillet_radius`, `rack.addendum`, usually with the allowed limit;
+///           `rack.pressure_angle` if no point of the arc has this angle
 Result<RackOfArcs> arcs_of(const ArcRack& rack);
 
 }  // namespace gearwright

@@ -10,7 +10,8 @@
 // A new kind of cutter needs only a function that returns such a chain, from which generation/
 // computes the tooth.
 //   Laws  (1) arcs follow each other without a gap   (2) 0 < τ ≤ π/2
-//         (3) x never decreases along the chain      (4) y ≥ 0, and y decreases along the chain
+//         (3) x never decreases along the chain      (4) y decreases along the chain
+//         (5) y ≥ 0, except on a line without an end
 #pragma once
 
 #include <limits>

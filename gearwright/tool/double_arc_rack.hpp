@@ -62,9 +62,10 @@ struct DoubleArcDerived {
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
 /// Returns the chain of full-radius tip, concave arc, step and convex arc. The convex arc ends in
-/// the middle of the gear tooth, where the arcs of both sides meet.
+/// the middle of the gear tooth, where the arcs of both sides meet, or at a normal angle of 90° if
+/// this angle is reached first.
 ///
-/// Errors    as derived; `rack.addendum`, `rack.dedendum`
+/// Errors    as derived(); `rack.addendum`, `rack.step_depth`
 Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);
 
 }  // namespace gearwright

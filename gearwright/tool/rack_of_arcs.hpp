@@ -26,7 +26,8 @@ struct RackArc {
   double center_offset = 0.0;  ///< y  modules
   double radius = 0.0;         ///< q  modules
   Angle begin, end;            ///< τ at the root side and at the tip side
-  bool working = true;         ///< true for a flank; false for a joint between two flanks
+  bool working = true;         ///< true for a flank; false for a tip rounding or for a joint
+                               ///< between two flanks
 };
 
 struct RackOfArcs {
@@ -52,8 +53,8 @@ std::optional<double> half_thickness_on_datum(const RackOfArcs& rack);
 /// [T7.3]
 ///
 /// Units     mm
-/// Errors    `rack.arcs`, `rack.addendum` or `rack.dedendum` if the edge violates a law of
-///           CutterEdge
+/// Errors    `rack.arcs`, `rack.arcs[N]`, `rack.addendum` or `rack.dedendum` if a length is too
+///           great, if no arc cuts the flank, or if the edge violates a law of CutterEdge
 Result<CutterEdge> make_edge(const RackOfArcs& rack, double normal_module,
                              double thickness_allowance);
 

@@ -46,7 +46,8 @@ struct StraightRackEdge {
 
 /// Returns the edge of a rack, in mm.
 ///
-/// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range
+/// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range;
+///           `normal_pressure_angle` if the tooth of the cutter of a named rack becomes pointed
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,
                                    Angle normal_pressure_angle);
 

@@ -75,8 +75,9 @@ struct Found {
 
 // Returns the value of a number at which the contact lies nearest to the middle of the face. The
 // search halves the range of the number repeatedly, because the contact moves in one direction as
-// the number grows. There is no result if the contact at this value lies more than kMiddlePlace
-// from the middle, or if edges touch more often than `before`.
+// the number grows. There is no result if the contact stays on one side of the middle, if it lies
+// more than kMiddlePlace from the middle at this value, if edges touch more often than `before`, or
+// if the change does not remove the finding.
 std::optional<Found> centring_change(Trials& trials, const Finding& finding, const Lever& lever,
                                      const PatternPlace& before) {
   const auto change_of = [&](double steps) {

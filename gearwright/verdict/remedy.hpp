@@ -8,7 +8,7 @@
 // neither adds nor worsens another finding. If several changes succeed, the one with the fewest
 // remaining findings is used. If the contact lies near the end of the face, or if an edge touches,
 // the lead slope that moves the contact to the middle is tried first. If no change succeeds, the
-// remedy contains no number.
+// remedy contains no number. Remedies for safety factors are computed by rating_remedy() instead.
 #pragma once
 
 #include <optional>
@@ -64,6 +64,8 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
 
 /// Fills `remedy` of all findings. `change` is filled only for the findings of the worst level,
 /// because the user removes these first.
+///
+/// Domain    the worst finding comes first
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);
 
 }  // namespace gearwright::detail

@@ -71,11 +71,13 @@ struct SpecChange {
 
 struct Finding {
   WarningCode code;  ///< code of a warning or of a margin (form_margin, fillet_margin, tip_margin,
-                     ///< edge_contact, contact_place, root_safety, flank_safety)
+                     ///< edge_contact, contact_place, no_backlash, root_safety, flank_safety)
   Level level;       ///< green if the finding is for information only
   int gear;          ///< 1, 2, or 0 for the pair
-  std::string message, remedy{};       ///< one sentence each; the remedy may be empty
-  std::vector<FindingValue> values{};  ///< the first value is the one that is too small
+  std::string message, remedy{};       ///< one or more sentences each; the remedy may be empty
+  std::vector<FindingValue> values{};  ///< the first value of a finding about a clearance,
+                                       ///< backlash, ratio or safety factor is the one that is too
+                                       ///< small
   std::string at{};  ///< tolerance ends at which the finding occurs; empty for the nominal values
   std::optional<SpecChange> change{};  ///< the change in the remedy, if one was tried successfully
 
