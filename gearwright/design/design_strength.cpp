@@ -96,6 +96,7 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
         std::min(rack.root_fillet_radius, full_radius(rack, problem.normal_pressure_angle));
     if (cut && i == 1) {
       g.tool.cutter_teeth = cut->cutter_teeth;
+      g.tool.fillet = std::min(g.tool.fillet, cut->tip_rounding);
       g.bore = default_rim(g.root_diameter, m);
     }
   }
@@ -314,7 +315,7 @@ std::optional<RingCut> cut_of(const SearchProblem& problem, const Trial& trial, 
   if (!ring) return std::nullopt;
   const auto cut = cut_by_default(*ring);
   if (!cut) return RingCut{};
-  return RingCut{cut->cut_by->cutter_teeth, *cut->tooth->form_radius};
+  return RingCut{cut->cut_by->cutter_teeth, *cut->tooth->form_radius, cut->cut_by->tip_rounding};
 }
 
 }  // namespace

@@ -56,18 +56,19 @@ double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
 // RingCuts stores the pinion cutters chosen for the internal gears of a search.
 //
-// The strength of an internal gear depends on the number of teeth of its cutter, and its path of
-// contact depends on the radius at which its fillet begins. Both values are known only after a
-// tooth has been generated, which takes as long as a hundred ratings. With the radius in modules,
-// both values depend only on the number of teeth, the rack, the helix angle and the profile shift.
+// The strength of an internal gear depends on the number of teeth and the tip rounding of its
+// cutter, and its path of contact depends on the radius at which its fillet begins. These values are
+// known only after a tooth has been generated, which takes as long as a hundred ratings. In modules,
+// they depend only on the number of teeth, the rack, the helix angle and the profile shift.
 // One stored result therefore serves all wheels that have the same values of these four quantities.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
 /// The cutter of an internal gear, and the start of its fillets. If every cutter would remove a
 /// part of the flanks, there is no cutter, and the start of the fillets is infinite.
 struct RingCut {
-  int cutter_teeth = 0;                                          ///< z_0; 0 without a cutter
-  double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules
+  int cutter_teeth = 0;                                           ///< z_0; 0 without a cutter
+  double form_radius = std::numeric_limits<double>::infinity();   ///< d_Ff/2, modules
+  double tip_rounding = std::numeric_limits<double>::infinity();  ///< ρ_a0, modules
 };
 
 class RingCuts {

@@ -33,7 +33,12 @@ RootTool root_tool(const Gear& gear) {
   tool.dedendum = gear.side() * (r.reference_diameter - gear.root_diameter) / (2 * m) +
                   r.generating_profile_shift;
   tool.cutter_teeth = gear.cut_by->cutter_teeth;
-  if (gear.cut_by->by_default) return tool;
+  // The default cutter has this dedendum and no profile shift. Its rounding may be smaller than that
+  // of the rack.
+  if (gear.cut_by->by_default) {
+    tool.fillet = std::min(tool.fillet, gear.cut_by->tip_rounding / m);
+    return tool;
+  }
   StraightRack reach;  // a rack with this dedendum, whose full radius limits the rounding
   reach.dedendum = tool.dedendum;
   tool.fillet = std::min(gear.cut_by->tip_rounding / m,

@@ -85,6 +85,22 @@ TEST(RingRoot, takes_the_rounding_of_the_cutters_tip) {
   }
 }
 
+// The cutter that a ring has by default is not rounded like the rack if such a tip would be too
+// narrow. The rating then uses the rounding of the cutter.
+TEST(RingRoot, takes_the_rounding_of_the_default_cutter) {
+  for (const auto& [shift, rounding] : {std::pair(-0.3, 0.2), {0.0, 0.38}}) {
+    CylindricalSpec ring =
+        testing::plain_spec({.teeth = -60, .module = 2, .x = shift, .face_width = 20});
+    ring.straight_rack().root_fillet_radius = shift < 0.0 ? 0.45 : 0.38;
+    const Gear cut = *cut_by_default(made(ring));
+    EXPECT_NEAR(cut.cut_by->tip_rounding, 2 * rounding, 1e-12);
+    const Gear planet =
+        made(testing::plain_spec({.teeth = 20, .module = 2, .x = 0.1, .face_width = 20}));
+    const auto mounted = testing::taken(mount_as<ParallelPair>(planet, cut, PairSpec{}));
+    EXPECT_NEAR(testing::taken(rated_pair(mounted)).gears[1].tool.fillet, rounding, 1e-12);
+  }
+}
+
 // (1) the tip rounding of the cutter changes the root
 // (2) the root rounding of the cutter has no effect
 TEST(RingRoot, does_not_know_the_cutters_root) {
