@@ -35,7 +35,8 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters may be wrong
+constexpr std::size_t kLettersOff = 3;  // in a word of n letters, n/3 letters may be wrong, but at
+                                        // least one
 
 // Returns the version. For a lean build (cmake/gw_lean.cmake), the text also lists the functions
 // that this build lacks.
@@ -278,7 +279,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     const std::string& name = sub->get_name();
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
-    // Two equal letters at the beginning of a word count more than one wrong letter.
+    // Two equal letters at the beginning of a word compensate one wrong letter.
     const bool alike = word.size() > 2 && name.starts_with(word.substr(0, 2));
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name) - alike;
     if (off >= least) continue;

@@ -58,8 +58,8 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 /// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)
 std::string completion(const std::string& shell, const CLI::App& app);
 
-/// Returns the values that completion offers for an option. The list is empty if the value of the
-/// option is a file name or free text.
+/// Returns the values that completion offers for an option. The list is empty for all options
+/// except --gear and --only.
 std::vector<std::string> words_of(const CLI::Option& option);
 
 std::string manual_page(const CLI::App& app);

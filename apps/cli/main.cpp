@@ -3,9 +3,9 @@
 //
 // Exit status:
 //   0   success
-//   1   the input is wrong, or the gears are impossible
+//   1   the input is wrong, the gears are impossible, or `verify` found differences
 //   2   the command line is wrong
-//   3   the system failed, for example because of a full disk
+//   3   the system failed, for example because of a full disk, or a signal stopped the program
 //   4   --strict is given, and the verdict is not green
 //   5   a defect of Gearwright itself
 #include <cstdio>

@@ -41,8 +41,9 @@ struct Options {
 };
 
 // All functions of this file throw IoError if the system fails.
-/// Runs any verb of the table. Prints the answer as JSON, CSV or text. If a proposal is requested,
-/// prints its spec instead. If the spec has already been read, it is passed as `text`.
+/// Runs any verb of the table. Prints the answer as JSON, CSV or text. If a proposal or the graph
+/// of a drive is requested, prints its spec instead. If the spec has already been read, it is
+/// passed as `text`.
 int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);
 /// `gear --as-rack`: prints how another rack describes the same teeth.
 int gear_as_rack(const Options& o);
@@ -64,7 +65,8 @@ class Door {
     if (text) text_ = *text;
   }
 
-  /// Reads the spec. Returns an error if an input that `use` requires is missing.
+  /// Reads the spec. Returns an error if the spec is wrong, or if an input that `use` requires is
+  /// missing.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);
   Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
   /// Reports the error with the keys of the spec and returns the exit status.

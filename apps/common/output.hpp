@@ -38,7 +38,8 @@ Json refusal_json(const Error& error, const SpecText* text = nullptr);
 /// Reports that the input is wrong or that the gears are impossible, and returns status 1. If
 /// `json` is true, also prints the error as JSON. The keys in the error must already be keys of the
 /// spec (catalogue/spelling.hpp). `text` is the spec that contains the error. If `text` is given,
-/// the report also contains the name of the spec and the line.
+/// the report also contains the name of the spec and the line, unless the error refers to an
+/// option.
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// Reports a wrong command line and returns status 2.
 int usage(const std::string& message);

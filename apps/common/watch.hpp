@@ -21,9 +21,9 @@ struct WatchWords {
 };
 
 /// While this object exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with
-/// status 3. Nothing is printed or written before the computation is complete, so no partial result
-/// remains. While files are being written, a signal takes effect only after the files are complete.
-/// A StatusLine reports the progress.
+/// status 3. Nothing is printed or written before the computation is complete, except the finished
+/// designs of a study in its folder, so no partial result remains. While files are being written, a
+/// signal takes effect only after the files are complete. A StatusLine reports the progress.
 class Watch {
  public:
   explicit Watch(std::string verb, WatchWords words = {});

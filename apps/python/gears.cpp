@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Converts keyword arguments to changes of a spec. None becomes null, which removes a key.
+// Converts keyword arguments to changes of a spec. None becomes null, which removes a key. None
+// within a dict is ignored.
 Json changes_of(const py::kwargs& kwargs) {
   Json changes = Json::object();
   for (const auto& [name, value] : kwargs) {

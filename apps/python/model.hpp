@@ -79,8 +79,8 @@ struct GearValue {
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }
-  /// Returns the table of the gear in the spec. If the gear belongs to a pair, the table contains
-  /// the computed profile shift.
+  /// Returns the table of the gear in the spec, with the values that gear 2 inherits. If the gear
+  /// belongs to a pair, the table contains the computed profile shift.
   Json spec() const;
   /// Returns the quantities of the gear and of its halves, if it has any.
   ValueRecord record() const;

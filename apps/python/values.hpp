@@ -21,7 +21,8 @@ namespace py = pybind11;
 
 /// Returns the name of the attribute for a key. If the key has a unit that is converted to mm or
 /// rad, the name is the key without its unit, for example "tip_diameter" for tip_diameter_mm and
-/// "transmission_error" for transmission_error_arcsec. Otherwise it is the key itself.
+/// "transmission_error" for transmission_error_arcsec. Otherwise it is the key itself, or "from_"
+/// for the key "from".
 std::string name_of(const QuantityInfo& info);
 /// Returns the size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
 double house_unit(Unit unit);
@@ -34,16 +35,16 @@ std::string docstring(const QuantityTable& table, const std::string& name);
 /// records become dicts by key.
 py::object by_key(const Value& value);
 py::object to_python(const Json& tree);
-/// Converts a value to an attribute. Numbers are in mm and rad, lists become tuples, and records
-/// become Records.
+/// Converts a value to an attribute. Numbers are in mm and rad, lists of any number of numbers
+/// become arrays, other lists become tuples, and records become Records.
 py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
 
 /// Converts a Python value to a tree of a spec. Dicts, lists, texts, paths, Gears, arrays of numpy,
 /// and numbers of Python or numpy are accepted. `path` is the name of the value in error messages.
 ///
-/// Throws    SpecError if a number is not finite, TypeError if a spec cannot contain a value of
-///           this type
+/// Throws    SpecError if a number is not finite or too large, TypeError if a spec cannot contain a
+///           value of this type
 Json tree_of(py::handle value, const std::string& path);
 
 /// True for a text, bytes or a path object.

@@ -46,8 +46,8 @@ struct BoreContour {
 
 /// Returns the contour of the bore or rim, or none if there is no bore.
 ///
-/// Errors    those of make_walls (cad/walls.hpp): a bore or keyway that reaches the root circle, or
-///           an internal gear whose rim does not enclose the root circle
+/// Errors    those of hole_error() (gear/bore.hpp): a bore or keyway that reaches the root circle
+///           or the groove, or an internal gear whose rim does not enclose the root circle
 /// Units     inner, outer: smallest and greatest radius of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
                                                 double outer);

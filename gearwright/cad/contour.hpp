@@ -39,7 +39,7 @@ struct ContourPiece {
 struct Contour {
   int teeth;  ///< |z|
   std::vector<ContourPiece> pieces;
-  double inner_radius;  ///< smallest radius of the outline at the examined points, mm
+  double inner_radius;  ///< smallest radius of the outline at the examined points, mm; 0 for a rack
   double outer_radius;  ///< greatest radius of the outline, mm
   /// Set only for a rack. The outline shifted along y by `rack->middle_of(k, teeth)` is tooth k of
   /// the rack.
@@ -62,8 +62,8 @@ Result<Contour> closed_contour(const Outline& outline);
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
 /// Moves points on an arc of the half outline to the position and direction of a piece. The points
-/// are given from root to tip. They are either mirrored or reversed, and then turned. The ends of
-/// the piece replace the first and the last point.
+/// are given from root to tip. They are either mirrored or reversed. Then they are turned or, on a
+/// rack, shifted. The ends of the piece replace the first and the last point.
 ///
 /// Domain    the piece is not a land, there are at least two points, and the moved end points
 ///           lie within 3e-6 mm of the ends of the piece (contract)

@@ -1,8 +1,8 @@
 // Makes the solids of whole gears and of drives, at their positions or laid out for printing.
 //
 // External gears of one body with the same bore are one solid. In this solid, a plain cylinder
-// joins each gear to the next one. Gears with different bores, and internal gears, are separate
-// workpieces.
+// joins each gear to the next one. Gears with different bores, internal gears, racks, and gears
+// without room for a cylinder between them are separate workpieces.
 #pragma once
 
 #include <array>

@@ -45,7 +45,7 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 }
 
 struct StepLimits {
-  double shortest;  ///< relative to the interval; a step of this length is always accepted
+  double shortest;  ///< in the units of x; a step of this length is always accepted
   double known;     ///< relative to the step; the search ends when its bracket is at most this wide
 };
 

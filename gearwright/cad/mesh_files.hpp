@@ -19,7 +19,8 @@ namespace gearwright {
 std::string stl_bytes(const std::vector<MeshPart>& parts);
 
 /// Returns the bytes of a 3MF file (core specification 1.2): XML in a ZIP archive, with units,
-/// names and positions. Each part is one mesh object in mm, and a build item places it at its pose.
+/// names and positions. Each part with its own mesh is one mesh object in mm. A build item places
+/// each part at its pose. A part with `same_as` uses the object of the earlier part.
 ///
 /// Units     mm
 /// Accuracy  9 significant digits: 0.05 nm at a radius of 50 mm
@@ -27,10 +28,10 @@ std::string stl_bytes(const std::vector<MeshPart>& parts);
 std::string threemf_bytes(const std::vector<MeshPart>& parts);
 
 /// Returns the bytes of a GLB file, which is glTF 2.0 in one binary file.
-///
-/// Each part has one node with its pose as a matrix, one mesh with smooth normals, and one material
-/// with its own colour. Lengths are in metres, as glTF requires. The gear axis remains the z axis.
-/// In glTF, the z axis points at the viewer, so the viewer sees the end face of the gear.
+/// Each part has one node with its pose as a matrix. It also has one mesh with smooth normals and
+/// one coloured material, unless `same_as` names an earlier part, whose mesh and material it then
+/// uses. Lengths are in metres, as glTF requires. The gear axis remains the z axis. In glTF, the z
+/// axis points at the viewer, so the viewer sees the end face of the gear.
 ///
 /// Accuracy  coordinates rounded to float32 metres: 2 nm at a radius of 50 mm
 /// Domain    at least one part, rigid poses, fewer than 2³² bytes in all (contract)

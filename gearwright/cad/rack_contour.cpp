@@ -27,7 +27,7 @@ Contour rack_contour(const Outline& outline, const RackBlock& rack) {
       contour.pieces.push_back({i, k, lower, false, here, to, 0.0});
       here = to;
     };
-    // The root land before this tooth ends exactly at the first point of the first arc.
+    // The root land before this tooth ends exactly at the first point of the next arc.
     if (first == 1) {
       const Vec2 root = mirrored(arcs[0].end_point) + middle;
       straight_to(0, k, here, root);

@@ -35,8 +35,8 @@ struct SectionTolerance {
 
 /// Returns the points from the middle of the space to the centre line of the tooth. The first point
 /// lies exactly on the ray π/|z|, and the last one exactly on the x axis. Neighbouring points that
-/// are closer than chord/50 are merged, which moves the boundary by less than this distance. If
-/// more than `most` points are needed, the list is incomplete and has more than `most` points.
+/// are closer than ε/50 are merged, which moves the boundary by less than this distance. If more
+/// than `most` points are needed, the list is incomplete and has more than `most` points.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
 /// Domain    ρΔ² < 8ε; the ends lie within 1e-6 ρ of their rays (contract)

@@ -48,15 +48,15 @@ struct StepFace {
 struct StepReport {
   std::vector<StepFace> faces;    ///< faces of one half tooth from root to tip, body by body
   double max_deviation_mm = 0.0;  ///< greatest deviation of all faces
-  /// Volume of all bodies. It is the exact section area times the face width, minus the volume
-  /// removed by modifications. The error of the removed volume is 1e-6 of the volume of the body.
+  /// Volume of all bodies. It is metal_volume() (cad/section.hpp) minus the volume removed by
+  /// modifications. The error of the removed volume is 1e-6 of the volume of the body.
   double volume_mm3 = 0.0;
   std::size_t face_count = 0;  ///< faces of all solids; a shared shape counts once
   std::size_t edge_count = 0;  ///< edges of all solids; each shared edge counts once
 };
 
-inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid; corresponds to 30 MB
-                                                      ///< of text
+inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for the teeth of one gear, or for a
+                                                      ///< rack; corresponds to 30 MB of text
 
 struct StepDocument {
   std::string text;
@@ -67,7 +67,8 @@ struct StepDocument {
 ///
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Errors    those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces in a solid
+/// Errors    those of make_walls (cad/walls.hpp) and of fit_modified (cad/modified_fit.hpp); more
+///           than kMaxStepFaces faces of one gear or of a rack
 /// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), with a target of 2e-5; points, edges and
 ///           faces agree within 1e-7 mm (kBrepUncertainty_mm), as the file states; a reader obtains
 ///           exactly the same reals

@@ -45,7 +45,8 @@ void apply_declarations(std::string_view declarations, Style& style);
 /// reference var(…), returns the value of this variable.
 std::string text_in(const Style& style, std::string_view name);
 double number_in(const Style& style, std::string_view name, double absent);
-/// Returns the colour 0xRRGGBB, or none for "none". If the property is absent, returns `absent`.
+/// Returns the colour 0xRRGGBB. If the property is absent, returns `absent`. For any text that does
+/// not begin with #, such as "none", returns none.
 std::optional<std::uint32_t> colour_in(const Style& style, std::string_view name,
                                        std::optional<std::uint32_t> absent);
 

@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Successive positions at which the same tooth pair is in contact. The kind of contact does not
-/// change within a run. The contact is either always at an edge or always within the flanks.
+/// Successive positions at which the same tooth pair is in contact. The contact is either always at
+/// an edge or always within the flanks.
 struct TeRun {
   int pair = 0;  ///< k, number of the tooth pair
   bool edge = false;
@@ -23,7 +23,8 @@ struct TeRun {
 
 /// Divides the curve of successive positions into runs. A position without contact ends a run.
 /// Where the next tooth pair takes over, the curves of both pairs are extended to their
-/// intersection. The value at the intersection is limited to the range of the computed values.
+/// intersection, or halfway if they do not intersect between the two positions. The value there is
+/// limited to the range of the computed values.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
 /// Draws the transmission error over the rotation of gear 1, with the tooth pairs and kinds of
@@ -33,8 +34,9 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
 /// Returns true if all harmonics are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
-/// Draws the harmonics of the transmission error. There is no figure if no harmonic exists. There
-/// is also no figure if contact is lost, because the curve is then not periodic.
+/// Draws the harmonics of the transmission error. There is no figure if all harmonics are rounding
+/// errors, or if there are none. There are none if contact is lost, because the curve is then not
+/// periodic.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
 /// Returns the gaps of a raster, mm, as a field for contours.

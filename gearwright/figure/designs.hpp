@@ -31,10 +31,10 @@ struct DesignDot {
 ///           (2) along the staircase, one value becomes worse as the other becomes better
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
-/// Draws the dots in their order. If both axes are objectives, the staircase of the dots of the
-/// front is drawn below them. The axis of an objective states which values are better. The axes
-/// extend a little beyond the dots. An axis of positive values is logarithmic if the greatest value
-/// exceeds fifteen times the least.
+/// Draws the dots in their order. If both axes are objectives and the front has several dots, the
+/// staircase of the dots of the front is drawn below them. The axis of an objective states which
+/// values are better. The axes extend a little beyond the dots. An axis of positive values is
+/// logarithmic if the greatest value exceeds fifteen times the least.
 ///
 /// Domain    at least one dot, all of them finite (contract)
 Figure designs_figure(DesignAxis x, DesignAxis y, const std::vector<DesignDot>& dots);

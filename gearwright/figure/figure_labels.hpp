@@ -15,8 +15,9 @@ struct FigurePlace {
   double per_unit;  ///< px per unit of x
 };
 
-/// Writes the label of each mark where it overlaps no other label. Dots and crosses come first and
-/// are always labelled. Lines, and then circles, are labelled only if there is room.
+/// Writes the label of each mark where it has the fewest overlaps. Dots and crosses come first and
+/// are always labelled, even if a label overlaps others. Lines, and then circles, are labelled only
+/// if there is room.
 void write_labels(Svg& svg, const Figure& figure, const FigurePlace& place);
 
 }  // namespace gearwright

@@ -17,9 +17,9 @@ namespace gearwright {
 inline constexpr double kFigureWidth = 560.0;  ///< px, of a figure in a column of the report
 
 /// Returns the picture. The group of class "plot" has the attributes `data-x` and `data-y` with
-/// four numbers, "lo hi from to". The first two are the values at both ends of the axis, and the
-/// last two are the positions of these ends in px. figure_script.js uses these attributes to
-/// convert px to values.
+/// four numbers, "lo hi from to", followed by "log" for a logarithmic axis. The first two are the
+/// values at both ends of the axis, and the last two are the positions of these ends in px.
+/// figure_script.js uses these attributes to convert px to values.
 ///
 /// Domain    width ≥ 240 px; finite axes of nonzero length (contract)
 std::string figure_svg(const Figure& figure, double width = kFigureWidth);

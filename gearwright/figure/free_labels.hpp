@@ -34,7 +34,7 @@ bool meet(const PixelBox& a, const PixelBox& b);
 
 class FreeLabels {
  public:
-  /// All labels are placed inside `within`.
+  /// All labels are placed inside `within`, except those that may overlap all objects.
   explicit FreeLabels(const PixelBox& within) : within_(within) {}
 
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }

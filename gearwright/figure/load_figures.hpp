@@ -27,8 +27,8 @@ struct TeCurve {
 /// Draws curves of one pair with different flank modifications, each relative to its mean. There is
 /// no figure if no point has a value.
 std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
-/// Draws the Harris map, which is the transmission error over the torque. There is no figure if
-/// only one torque is given.
+/// Draws the Harris map, which is the transmission error over the torque. There is no figure if no
+/// two torques differ, or if no torque has a result.
 std::optional<Figure> harris_figure(const LoadScene& scene);
 
 /// Returns the greatest pressure during a mesh at each point of a flank of gear `which` (0, 1). The

@@ -15,8 +15,8 @@ namespace gearwright {
 /// The sign for a missing value.
 constexpr std::string_view kNoValue = "–";
 
-/// Returns the text with & < > " ' replaced by references. Control characters except line feed and
-/// tab become U+FFFD.
+/// Returns the text with & < > " ' replaced by references. Carriage returns are removed. Other
+/// control characters except line feed and tab become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// Returns the text with a true minus sign in front of each negative number. Tags and hyphens of
@@ -39,8 +39,8 @@ struct SymbolPiece {
   Place place;
 };
 
-/// Divides a symbol into pieces. A subscript extends from '_' over letters, digits and UTF-8 bytes.
-/// The sign '*' is a superscript.
+/// Divides a symbol into pieces. A subscript extends from '_' over letters, digits, UTF-8 bytes and
+/// commas without a following space. The sign '*' is a superscript.
 std::vector<SymbolPiece> symbol_pieces(std::string_view symbol);
 
 /// Returns, for example, <var>d</var><sub>Ff</sub> for "d_Ff". The symbol is not escaped.

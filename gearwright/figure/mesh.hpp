@@ -55,8 +55,8 @@ enum class MeshFrame { whole, mesh, flank };
 Bounds with_aspect(const Bounds& box, double aspect);
 Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 
-/// Draws bodies and circles with their names, axes, both lines of action, and the path of contact
-/// with its letters.
+/// Draws bodies and circles with their names and axes, and for an involute pair both lines of
+/// action and the path of contact with its letters.
 Figure mesh_figure(const MeshScene& scene, const Bounds& window);
 
 /// Draws the whole gears with their directions of rotation. A frame marks `framed`, the window of

@@ -61,7 +61,7 @@ Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window);
 /// of all limits is in a corner.
 Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window);
 
-/// Draws only the region and its edges, without axes.
+/// Draws the limits, the region with its edges and the lines of the centre distances, without axes.
 Figure small_shift_region(const ShiftChart& chart, const Bounds& window);
 
 /// Returns the figure with gear 1 and gear 2 exchanged.

@@ -18,7 +18,7 @@ struct Ticks {
 Ticks round_ticks(double lo, double hi, int most);
 
 /// Returns round values within [lo, hi] of a logarithmic axis. Neighbours are at least `apart`
-/// decades from each other.
+/// decades from each other, or one decade if `apart` is greater.
 ///
 /// Domain    0 < lo < hi (contract)
 Ticks log_ticks(double lo, double hi, double apart);

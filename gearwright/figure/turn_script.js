@@ -85,8 +85,8 @@
       t = parseFloat(slider.value);
       changed(t, whole);
     });
-    // The gears do not move until the user starts the motion. The motion stops at once if the user
-    // prefers reduced motion.
+    // The gears do not move until the user starts the motion. A running motion stops if the user
+    // selects reduced motion.
     var calm = window.matchMedia && window.matchMedia('(prefers-reduced-motion: reduce)');
     if (calm && calm.addEventListener) calm.addEventListener('change', function () { if (calm.matches) stop(); });
     return {stop: stop, reset: function () { stop(); way = 1; slider.value = t = whole = 0; }};

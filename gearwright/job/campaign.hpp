@@ -87,7 +87,8 @@ Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
                                                 const CampaignOptions& options,
                                                 const std::optional<Error>& refused);
 
-/// Returns the missing chunks of this process, in ascending order.
+/// Returns the missing chunks that this process may compute, in ascending order. If the processes
+/// share a queue (next_chunk), these are all missing chunks.
 std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options);
 
 }  // namespace gearwright

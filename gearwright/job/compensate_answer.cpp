@@ -23,8 +23,8 @@ namespace {
 
 constexpr int kPositions = kLeastSpanPositions;
 // Under load, the curve of the transmission error takes about a hundred times as long to compute as
-// without load. The corrections for loaded teeth are therefore computed from fewer positions and
-// fewer corners of the range.
+// without load. The search for corrections of loaded teeth therefore uses fewer positions and fewer
+// curves.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -76,7 +76,7 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
 }
 
 // Returns errors within the ranges of [compensate.range], in the units of their keys, for which the
-// transmission error of the pair exceeds `known`. Returns none if there are no such errors.
+// transmission error of the pair exceeds `known`. Returns none if the search finds no such errors.
 std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const ContactSetup& setup,
                                                                    const JobSpec& spec, Angle known,
                                                                    Progress* progress) {

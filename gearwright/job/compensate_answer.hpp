@@ -26,10 +26,12 @@ struct CompensateAnswer : CompensateView {
   Verdict verdict;  ///< of the corrected pair under the errors of the spec
 };
 
-/// Errors    the errors of answer_contact; `errors` if no teeth of the uncorrected pair touch;
+/// Errors    the inputs that [compensate] requires and that are absent; the errors of setup_of;
+///           `errors` or `pair.center_distance` if no teeth of the uncorrected pair touch;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
 ///           `compensate.range` if no teeth touch at a corner of the range, even with the computed
-///           corrections
+///           corrections; the errors of LoadedAim::of if the aim is under load; the errors of
+///           reading, solving and analysing the corrected spec
 /// `curves`  see CompensationTask::curves
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);

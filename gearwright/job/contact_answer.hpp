@@ -18,7 +18,7 @@ namespace gearwright {
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)
-/// Errors    the errors of ContactSetup::of
+/// Errors    `gear1.double_helical` for double-helical gears; the errors of ContactSetup::of
 Result<ContactSetup> setup_of(const SolvedJob& job);
 
 /// Returns `errors`, with the error `index` of error_entries() set to a value in its own unit.
@@ -32,8 +32,9 @@ struct NamedInfluence {
   Influence influence;
 };
 
-/// Returns the influences of every error, and of every modification with a given position on the
-/// flank. Influences of modifications of a rack are not included.
+/// Returns the influences of every error with a derivative (ErrorEntry::kind), and of every
+/// modification with a given position on the flank. Influences of modifications of a rack are not
+/// included.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 struct ContactAnswer : ContactView {

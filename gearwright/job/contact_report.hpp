@@ -15,8 +15,9 @@ namespace gearwright {
 /// Returns an error with its value in the unit of its key. `index` is the row in error_entries().
 NamedAmount named_error(std::size_t index, double value);
 
-/// True if the report has a contact part. This requires a pair. In addition, the spec must have
-/// [errors], [contact] or modifications, or the teeth must be circular arcs.
+/// True if the report has a contact part. This requires a pair, or a rack with its pinion. In
+/// addition, the spec must have [errors], [contact] or modifications, or the teeth must be circular
+/// arcs.
 bool wants_contact(const SolvedJob& job);
 
 /// The contact of one pair of flanks over a pitch, with the data of its pictures. The flanks belong
@@ -44,12 +45,11 @@ struct ContactPart {
   ContactReport report;
 };
 
-/// Returns the contact part of a report, or none if the spec does not request it. If the result
-/// cannot be computed, there is also no part, and the job gets a warning. The report needs equally
-/// spaced positions over one pitch. If the spec gives other rotations, they apply to the result
-/// only.
+/// Returns the contact part of a report, or none if the spec does not request it. If no teeth
+/// touch, there is also no part, and the job gets a warning. The report needs equally spaced
+/// positions over one pitch. Other rotations or pitches of the spec apply to the result only.
 ///
-/// Errors    the errors of answer_contact, for example modifications that do not fit
+/// Errors    all other errors of answer_contact, for example modifications that do not fit
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -44,13 +44,14 @@ std::string outline_csv(const Outline& outline, int points, UnitSystem units);
 /// apply.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 
-/// Reads "9x5", the numbers of points along profile and face. Returns none for other texts.
+/// Reads "9x5", the numbers of points along profile and face, each from 2 to 1000. Returns none for
+/// other texts.
 std::optional<PointGrid> parse_grid(const std::string& text);
 
 /// Makes a row for each point of tooth 0 over the evaluation ranges, with flank modifications. The
 /// columns are gear, flank, diameter_mm, height_mm, x_mm, y_mm, z_mm, nx, ny and nz, in the frame
-/// of the gear. If `fillet_points` ≥ 2, the table also has this number of points along the root
-/// fillet next to each flank, at the same heights. In these rows, the column flank contains
+/// of the gear. If `fillet_points` is given, the table also has this number of points along the
+/// root fillet next to each flank, at the same heights. In these rows, the column flank contains
 /// `right_fillet` or `left_fillet`.
 ///
 /// Errors    `gearN.modifications.…`; a gear without involute flanks, or without a root fillet

@@ -22,8 +22,9 @@ struct Records {
   UnitSystem units;
   std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
 
-  /// Returns the text of the member with this path, with its limits if there are any. Returns none
-  /// if the member has no value.
+  /// Returns the text of the member with this path. If its values at the two tolerance ends differ,
+  /// the text contains these limits instead of the nominal value. Returns none if the member has no
+  /// value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
   /// True if the member with this path has different values at the two tolerance ends.
   bool has_limits(std::string_view path) const;
@@ -49,9 +50,9 @@ std::string rack_name(const JobSpec& spec, int which);
 /// Domain    the job has a rack (contract)
 void add_rack_mounting(DataGroup& group, const SolvedJob& job);
 
-/// Returns the tables of a gear. Some rows are blank, so that the workshop can fill them in. These
-/// are the limits of the tip diameter and of the tooth thickness, and the drawing number of the
-/// mating part, if the spec does not give them.
+/// Returns the tables of a gear. If the spec does not give a value that a drawing needs, its row is
+/// blank, so that the workshop can fill it in. Examples are the limits of the tip diameter, the
+/// tolerance of the tooth thickness and the flank tolerance class.
 std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
                                          const std::string& number_of_mate);
 

@@ -51,7 +51,10 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
 /// the spec of each drive.
 ///
 /// Domain    a spec with a search for drives (contract)
-/// Errors    the errors of search_drives(), with the keys of the spec
+/// Errors    the errors of search_drives(), with the keys of the spec; `search.stages` if there are
+///           too many trains; `search.normal_module_mm` if drives are rated without a module;
+///           `….density_kg_per_m3` if the mass of a plastic gear is required; the errors of
+///           drive_designs()
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefaultDrives,
                                    int threads = 0, Progress* progress = nullptr);
 

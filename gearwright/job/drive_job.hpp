@@ -20,14 +20,15 @@ struct DriveJob {
   JobSpec spec;
   Drive drive;
   std::optional<DrivePlaces> places;  ///< none if an axis cannot be placed
-  std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or the teeth cannot mesh
+  std::optional<DriveLayout> layout;  ///< none if drive_layout() fails
   std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
   Verdict verdict;
 };
 
 /// Computes the drive of a spec, including the transmission error of every mesh under [errors].
 ///
-/// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
+/// Errors    a spec without a drive; the errors of make_drive() and halves_of(), with the keys of
+///           the spec; errors of a rack that check_rack_errors() rejects
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
 /// Returns the [errors] of a spec for each mesh. `spec` and `drive` must outlive the result.
@@ -35,7 +36,8 @@ MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
 /// Returns the load for a rating, as [rating] or the drive gives it.
 ///
-/// Errors    `rating.…` for a load that is missing, 0 or contradictory
+/// Errors    `rating.…` for a load that is missing, 0 or contradictory, and for a mesh load factor
+///           K_γ that cannot be computed or that names no mesh of several planets
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
 /// Returns a function that rates each mesh of a drive, under the load of [rating] or the torque of
@@ -45,8 +47,8 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
-///           contradictory; the errors of mesh_spec() for a pair under load, with the name of the
-///           mesh in the rule; the errors of loaded_drive()
+///           contradictory; the errors of solve() and load_task() for the pair of a mesh, with the
+///           name of the mesh in the rule; the errors of check_load() and loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
 enum class RateMeshes { no, if_given, yes };
@@ -65,10 +67,11 @@ Safeties wanted_safety(const JobSpec& spec);
 /// Returns the verdict on the drive, including the safety factors if the drive is rated.
 Verdict judge(const DriveJob& job);
 
-/// Errors    a drive without a layout; the errors of drive_solids()
+/// Errors    a drive without a layout, with the reason; the errors of drive_solids()
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 
-/// Returns the first solid with a gear of this name, on the plane z = 0 for printing.
+/// Returns the first solid that has this name or contains a gear with this name, on the plane z = 0
+/// for printing.
 ///
 /// Errors    as drive_bodies(); the option `gear` if there is no such gear
 Result<std::vector<ToothedBody>> drive_part(const DriveJob& job, const std::string& name);
@@ -84,7 +87,8 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
 
 /// Makes the files of `run` for a drive in memory. They are result.json, report.html, drive.step,
 /// drive.glb and drive.3mf, which is laid out for printing. If all gears lie in one plane, the
-/// function also makes the outlines drive.dxf and drive.svg.
+/// function also makes the outlines drive.dxf and drive.svg. If FileOptions::only is not empty,
+/// only these parts are made, which may include drive.stl.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

@@ -51,8 +51,8 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   return given.empty() ? std::abs(*own) : given.front();
 }
 
-// Returns the position errors of the pins in mm. A single number applies to the first pin, and the
-// other pins then have no error.
+// Returns the position errors of the pins in mm. If the drive has one set of planets, a single
+// number applies to the first pin, and the other pins have no error.
 std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   std::vector<double> pins;
   for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);

@@ -29,8 +29,8 @@ std::string shown(const std::optional<T>& given) {
   return given ? shown(*given) : std::string();
 }
 
-// Returns the error for the first value of the spec that few_teeth itself determines. Returns none
-// if the spec gives no such value.
+// Returns the error for the first value of the spec that few_teeth itself determines or does not
+// permit. Returns none if the spec gives no such value.
 std::optional<Error> out_of_place(const JobSpec& spec) {
   for (const int which : {1, 2}) {
     const GearInput& g = spec.gear(which);

@@ -122,8 +122,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
 }
 
 // Returns an error if the spec requests results that are not available for these gears. A rack and
-// its pinion have only geometry, contact, a report and files. Double-helical gears have all results
-// except corrections.
+// its pinion have only geometry, contact, a report and files. Double-helical gears have all of
+// these results except corrections.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair, rack = job.rack.has_value();
   if (!rack && !halves) return std::nullopt;

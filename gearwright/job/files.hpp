@@ -72,19 +72,23 @@ SolidPose pose_of(const SolvedJob& job, int which);
 
 /// Returns one gear, or the rack, as a body in its own frame.
 ///
-/// Errors    the reason why the gear has no outline, for example a severed tooth
+/// Errors    the reason why the gear has no outline, for example a severed tooth; `gearN.cut_by`
+///           for an internal gear without a cutter; the errors of body_as_made(). A rack has no
+///           errors
 Result<ToothedBody> make_body(const SolvedJob& job, int which);
 
-/// Converts an error of cad/ about a body to an error about the gear. If the error is about teeth
-/// or bore, its member is kept. If it is about a tolerance or a number of faces, which a spec does
-/// not contain, the new error names the whole gear.
+/// Converts an error of cad/ about a body to an error about the gear. If the error is about teeth,
+/// bore or keyway, its member is kept. If it is about a tolerance or a number of faces, which a
+/// spec does not contain, the new error names the whole gear.
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory. All errors therefore occur before anything is
-/// written. If the file cannot contain modified flanks, it has the teeth as cut, and its note gives
-/// the reason.
+/// written. If the file cannot be made with the modified flanks, it has the teeth as cut, and its
+/// note gives the reason.
 ///
-/// Errors    a bore that does not fit; a file that is too large to be useful
+/// Domain    at least one body (contract)
+/// Errors    a bore that does not fit; a file that is too large to be useful; `pair.shaft_angle`
+///           for the outlines of gears on crossed axes
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const std::filesystem::path& path, const FileOptions& options);
 

@@ -25,7 +25,10 @@ struct FitAnswer : FitView {
 void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
                 const std::optional<double>& transverse_contact_ratio = {});
 
-/// Errors    the errors of fit, with the keys of the spec; `gear2` if it is missing
+/// Errors    `gear1` or `gear2` if it is missing; `gearN.…` for circular arcs, for `cut_by`, or for
+///           values outside their limits; `gear2.form` for a rack; `gear2.normal_module` if the
+///           gears differ in module or pressure angle although helix angles or profile shifts are
+///           unknown; the errors of fit() and answer_few_teeth()
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
 
 /// {"fit": {"branches", "reason", "nearest"}}
@@ -35,7 +38,8 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 // The verb `fit` for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
 
-/// Errors    for keys of the spec that are not allowed here, or are missing
+/// Errors    keys of the spec that are not allowed here; a bore that does not fit the computed
+///           gear; the errors of design_few_teeth()
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
 
 // The verb `identify` computes the gears that agree with the readings of an unknown gear.

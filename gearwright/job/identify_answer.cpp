@@ -103,7 +103,7 @@ std::string module_text(const IdentifiedGear& g) {
 }
 
 // Returns the sentence about a measured tip diameter that differs from the nominal one. The text is
-// empty if both agree.
+// empty if both agree, or if there is no measured value.
 std::string tip_fact(const IdentifiedGear& g, double measured) {
   const std::string nominal = fmt::format("{:.3f} mm", g.nominal_tip_diameter);
   switch (g.tip) {
@@ -126,8 +126,9 @@ std::string tip_fact(const IdentifiedGear& g, double measured) {
   return "";
 }
 
-// Returns sentences about data of a candidate that the readings do not determine. They also give
-// the values of these data in `spec`, the table of the gear.
+// Returns sentences about a candidate: doubts about its profile shift, the data that the readings
+// do not determine, with their values in `spec` (the table of the gear), its basic rack, and a tip
+// diameter that differs from the nominal one.
 std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g,
                                     const Json& spec) {
   std::vector<std::string> facts;
@@ -204,7 +205,8 @@ std::string alternative_text(const Identification& found, UnitSystem units) {
 }
 
 // Returns the sentence about two likely candidates that no usual measurement distinguishes. The
-// text is empty if there is only one likely candidate.
+// text is empty if there is only one likely candidate, or if a further measurement distinguishes
+// the candidates.
 std::string undecided_text(const Identification& found) {
   // kLikely is the least likelihood of a likely candidate. kClear, in degrees, is the least
   // difference of two helix angles that a measurement can distinguish.

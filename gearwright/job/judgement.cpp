@@ -34,7 +34,7 @@ Judged judged_rack(const RackPair& rack, const std::vector<Warning>& warnings) {
 }
 
 // Returns the pinion and its rack with one change of the pinion. Returns none if only a contact
-// analysis can show the effect of the change.
+// analysis can show the effect of the change, or if the changed pinion and rack cannot be computed.
 std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange& change,
                                          TryDepth depth) {
   GivenPair given = *job.given;

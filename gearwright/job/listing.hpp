@@ -1,4 +1,5 @@
-// Writes results as listings for users. The program prints a listing if --json is not given.
+// Writes results as listings for users. The program prints a listing if neither --json nor --csv is
+// given.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +22,8 @@ namespace gearwright {
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);
-/// Lists the values of the pair and their ranges within the tolerances. The text is empty without a
-/// pair.
+/// Lists the values of the pair and their ranges within the tolerances, or the values of a rack and
+/// its pinion. The text is empty for a single gear.
 std::string pair_listing(const SolvedJob& job);
 /// Lists records side by side, in these units, under the headings `columns`. If `columns` is empty,
 /// there is only one record, which may have two values for each quantity. `note` returns a text for
@@ -45,7 +46,8 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units);
 std::string file_listing(const std::vector<JobFile>& files, UnitSystem units);
-/// Lists one line per arc with its ends, then a line for every point with name, x and y.
+/// Lists n points of every arc, including its ends. The first line contains the headings. Every
+/// other line contains the name of the arc, x and y.
 std::string outline_listing(const Outline& outline, int n, UnitSystem units);
 
 // Tables for terminals with one row for each record, such as a point of contact or a design.
@@ -77,8 +79,8 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys);
 
-/// Lists a table with its title and its notes. If all numbers of a row are printed as zero, the row
-/// is omitted, and a line below the table contains its words.
+/// Lists a table with its title and its notes. If TextTable::omit_zeros is set, and all numbers of
+/// a row are printed as zero, the row is omitted, and a line below the table contains its words.
 std::string table_listing(const TextTable& table);
 
 /// Lists designs below each other. The first column names the designs. If there are at least two

@@ -24,7 +24,8 @@ std::optional<double> torque_of_rating(const JobSpec& spec);
 ///           of loaded()
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 
-/// Errors    the errors of answer_load; `load` if there is no torque
+/// Errors    the errors of answer_load; `load` if there is no torque; `gear1.double_helical` for
+///           double-helical gears
 Result<LoadTask> load_task(SolvedJob& job);
 /// Returns the task of the pair, or for a double-helical pair the tasks of load_tasks_of_halves().
 Result<std::vector<LoadTask>> load_tasks(SolvedJob& job);
@@ -40,8 +41,9 @@ struct LoadPart {
 };
 
 /// Returns the load part, or none if [load] requests neither torques nor probes. There is also no
-/// load part if torques are given for a single gear, if the gears have no contact, or if the loaded
-/// contact does not support the gears. In these three cases, the job gets a warning.
+/// load part if torques are given for a single gear, if the gears have no contact, or if the
+/// contact under load cannot be computed for such gears. In these three cases, the job has a
+/// warning.
 ///
 /// Errors    the errors of answer_load that are about a wrong number of the spec
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);
@@ -52,7 +54,8 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = n
 /// Rates the pair. If a limit of the standard is exceeded, the job gets a warning.
 ///
 /// Errors    `rating` if the spec has none; `gearN.material…` if a strength of the material is
-///           unknown; the errors of rated_pair and rate; the errors of answer_load if
+///           unknown; the errors of rated_pair and rate; the errors of FaceLoads::of if K_Hβ is
+///           computed from the load along the teeth; the errors of answer_load if
 ///           `rating.tooth_contact` is set
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
 

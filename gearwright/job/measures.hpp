@@ -15,8 +15,8 @@ namespace gearwright {
 
 /// Returns the measurements of each gear with the tools of [gearN.measure], or else with the usual
 /// tools. If a measurement that was not requested is impossible, it is absent, and the job gets the
-/// warning `no_chord`, `no_span`, `no_balls` or `no_pins`. A contact off the usable flank also
-/// causes a warning.
+/// warning `no_chord`, `no_span` or `no_balls`. A contact outside the usable flank also causes a
+/// warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
@@ -28,7 +28,8 @@ Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, bool internal,
                                              double normal_module);
 
-/// Returns the measurements as records for the page. Impossible measurements are omitted.
+/// Returns the measurements of each gear as a record. If a requested measurement of a gear is
+/// impossible, its record is empty.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
 /// Returns, for each gear, two records with the numbers that differ between the lower and the upper

@@ -61,7 +61,7 @@ GradeDeviations grade_deviations(const SolvedJob& job);
 struct ProposalList {
   std::vector<Proposal> proposals;
   std::optional<std::array<double, 2>>
-      short_deflection{};            ///< C_i  mm, of the shortest reliefs for the helix
+      short_deflection{};            ///< C_i mm, of the shortest reliefs that exist for the helix
                                      ///< modifications of the spec
   std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };

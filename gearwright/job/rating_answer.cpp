@@ -74,7 +74,8 @@ void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
        0});
 }
 
-// Returns K_Hβ from the load along the teeth. Adds notes about gear bodies if the job lacks them.
+// Returns the loads along the teeth, from which K_Hβ is computed. Adds notes about gear bodies that
+// the job does not have yet.
 Result<FaceLoads> face_loads_of(SolvedJob& job, Progress* progress) {
   std::vector<Warning> notes;
   auto faces =

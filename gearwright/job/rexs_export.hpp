@@ -11,12 +11,13 @@
 namespace gearwright {
 
 /// Laws      (1) reading the file gives a pair with the same numbers within 1e-9
-/// Errors    `gearN` for a single gear, a rack, crossed axes, gears that are not cut by straight
-///           racks or pinion cutters, and double-helical gears
+/// Errors    `gear2` for a single gear; `gear2.form` for a rack; `pair.shaft_angle` for crossed
+///           axes; `gear1.double_helical` for double-helical gears; `gearN` for circular-arc teeth
+///           or circular fillets
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
-/// Errors    a drive without geometry or with a rack; the errors of make_rexs() for a pair, if a
-///           gear has properties that REXS cannot contain
+/// Errors    the name of a gear that is a rack, that has no module, no teeth that fit the drive,
+///           circular-arc teeth or circular fillets
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path);
 
 }  // namespace gearwright

@@ -1,6 +1,6 @@
 // Computes the optional parts of a run, which are corrections, scatter and strength. A part is
-// empty if the spec has no table for it, or if the part cannot be computed for these gears.
-// Internal to job/.
+// empty if there is no pair, if the spec has no table for the part, or if it cannot be computed for
+// these gears. Internal to job/.
 #pragma once
 
 #include <optional>

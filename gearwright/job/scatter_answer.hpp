@@ -30,9 +30,10 @@ std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
 
 /// Returns the correlations of [scatter], for tolerances in these groups.
 ///
-/// Errors    `scatter.correlations[N]…` for an input that does not exist, for a pair of inputs that
-///           is given twice, and, if indices are requested, for correlated inputs in different
-///           groups; the errors of check_correlations()
+/// Errors    `scatter.correlations[N].between` for an input that does not exist, for a pair of
+///           inputs that is given twice, and for two names of the same input; `scatter.groups` if
+///           indices are requested and correlated inputs are in different groups; the errors of
+///           check_correlations()
 Result<std::vector<ToleranceCorrelation>> correlations_of(
     const JobSpec& spec, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
@@ -43,7 +44,8 @@ struct VariedInputs {
   std::vector<ToleranceGroup> groups;
 };
 /// Domain    a job with a pair (contract)
-/// Errors    `scatter.…` or a grade that is impossible; `no_flank` for teeth without a usable flank
+/// Errors    `scatter.…` or a grade that is impossible. The kind of the error is `no_flank` for a
+///           grade of teeth without a usable flank
 Result<VariedInputs> varied_inputs(const SolvedJob& job);
 
 /// Returns the setup and the task of [scatter]. The load, the scatter and the corrections are not
@@ -57,7 +59,8 @@ Result<ScatterAnswer> prepared_scatter(const SolvedJob& job);
 std::optional<Error> other_driver(const JobSpec& spec);
 
 /// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a
-///           group with an unknown input; the errors of scatter_of() and ContactSetup::of
+///           group with an unknown input; the errors of scatter_of(), robust_corrections() and
+///           ContactSetup::of; under load, the errors of other_driver() and load_tasks()
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
 /// Returns the request for a density of contact patterns. The density is computed from the first

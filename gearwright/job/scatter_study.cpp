@@ -69,8 +69,9 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
   return StudiedDesign{rows[0], std::move(pair).take()};
 }
 
-// Returns an error of [scatter] or [load] that concerns every design. If there is such an error,
-// the study is not started.
+// Returns an error of [scatter] or [load] that concerns every design, or the error of a design that
+// belongs to another search. If there is such an error, the study is not started. Only designs up
+// to the first one that can be solved are examined.
 std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
                                    const std::vector<ListedDesign>& list,
                                    const StudyOptions& options) {

@@ -51,9 +51,9 @@ struct StudyRun {
 };
 
 /// Throws    WorkStopped
-/// Errors    "--designs" if the search of the spec does not have the design; an error of [scatter],
-///           which concerns all designs. A failure that concerns only this design is a part of its
-///           row.
+/// Errors    "--designs" if the search of the spec does not have the design; the errors of reading
+///           the spec of the design. If its scatter cannot be computed, the row contains the reason
+///           instead
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
 
@@ -62,7 +62,7 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
 /// ranking.
 ///
 /// Throws    IoError, WorkStopped
-/// Errors    "--out" if the folder belongs to another study; the errors of study_row()
+/// Errors    the errors of open_campaign() and study_row()
 Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
                                     const std::vector<ListedDesign>& list,
                                     const StudyOptions& options, std::vector<Json>& rows);
@@ -71,8 +71,9 @@ Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
 ///
 /// Domain    a spec with [search] (contract)
 /// Throws    IoError, WorkStopped
-/// Errors    the errors of listed_designs(), study_row() and run_search(); "--out" if the folder
-///           belongs to another study
+/// Errors    "--designs" if the file or folder is not the result of a finished search of this spec;
+///           `search` if no design is feasible; an error of [scatter] or [load] that concerns every
+///           design; the errors of run_search(), study_row() and run_study_campaign()
 /// Laws      (1) the rows and files do not depend on the numbers of threads, shards and ranks
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 

@@ -79,17 +79,18 @@ SearchRun begun(const JobSpec& spec, const Search& search);
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
 
 /// Throws    IoError
-/// Errors    --yes-large if the search or its grid is large (the message gives the duration or the
-///           number of points); --out if the folder contains a campaign, or a finished search of
-///           another spec; --resume without a campaign or for another spec; --shard or --resume
-///           without --out. It is also an error if no numbers of teeth give the ratio, or if there
-///           are more chunks than kMaxChunks
+/// Errors    the errors of refuse_folder(), refuse_large() and run_campaign(); --out if the folder
+///           contains a finished search of another spec; --shard or --resume without --out;
+///           `search.ratio` if no numbers of teeth give the ratio; `search` if there are more
+///           chunks than kMaxChunks
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
-/// Returns an error if the search is too large to begin without yes_large, and otherwise none.
-/// Candidates are counted in closed form, the speed is measured for half a second, and the points
-/// of a grid are estimated.
+/// Returns the error --yes-large if the search has more than kLargeSearch trials, or
+/// `search.shift_step` if its grid has too many points. SearchOptions::yes_large permits both. A
+/// number of trials that does not fit into 64 bits is always the error `search`. The message about
+/// the trials contains a duration, for which the speed is measured for half a second. The points of
+/// a grid are estimated.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
 
 Error no_search();

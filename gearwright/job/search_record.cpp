@@ -175,7 +175,7 @@ std::string pack(const ChunkFinds& finds) {
     each_number(row, write);
   }
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
-  return packer.take();  // the decoder would report an incomplete frame if `size` were wrong
+  return packer.take();  // if `size` were wrong, the compressor would report an error here
 }
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {

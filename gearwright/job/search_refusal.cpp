@@ -69,8 +69,8 @@ std::string duration_text(double seconds) {
 // Rejects a grid of profile shifts with too many points, or with too many trials to count the
 // points. The number of points follows from the sum of the areas of the regions. This sum is
 // estimated from a thousand trials that Search::candidates() returns, or from all such trials if
-// there are fewer. The limit only prevents very large files, so an error
-// of a few percent is acceptable.
+// there are fewer. The limit only prevents very large files, so an error of a few percent is
+// acceptable.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;

@@ -1,6 +1,6 @@
 // Makes the columns of the CSV and Parquet tables of a search from the catalogue. Each quantity
-// with a column name has one column. A quantity of both gears has two columns. Internal to job/ and
-// the programs.
+// with a column name has one column. If it has a value for each gear or for each end of a range, it
+// has two columns. Internal to job/ and the programs.
 #pragma once
 
 #include <algorithm>
@@ -86,8 +86,8 @@ class ParquetTable {
   ParquetWriter writer_;
 };
 
-/// Returns the columns of designs. Safety factors, masses and face widths are included if the
-/// search computes them.
+/// Returns the columns of designs. Quantities that only some searches compute, for example safety
+/// factors and masses, are included if this search computes them.
 TableColumns<DesignView> design_columns(const SearchProblem& problem);
 TableColumns<ShiftPoint> point_columns();
 

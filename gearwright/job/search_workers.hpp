@@ -14,8 +14,8 @@ namespace gearwright {
 
 class SearchWorkers {
  public:
-  /// Receives the number of a chunk, its designs, and the number of trials that each limit
-  /// rejected. Several threads may call it at the same time.
+  /// Receives the number of a chunk, its designs and its counts. Several threads may call it at the
+  /// same time.
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
   /// `todo` contains the numbers of the chunks in ascending order. Each chunk has `chunk`
@@ -43,9 +43,11 @@ class SearchWorkers {
 // The work after all trials of a search. It finds changes that would give a design if nothing is
 // feasible, and computes the regions of the listed designs.
 
-/// If no design is feasible, computes changes that make designs feasible.
+/// If no design is feasible, computes changes that make designs feasible. Returns false if the
+/// search was stopped.
 bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
 
+/// Computes the missing regions of the listed designs. Returns false if the search was stopped.
 bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run);
 
 }  // namespace gearwright

@@ -38,10 +38,10 @@ struct SolvedJob : Arranged {
   std::shared_ptr<Corners> shared_corners = std::make_shared<Corners>();  ///< for corners()
 };
 
-/// Errors    the errors of arrange(), halve() and halves_of(), with the path of the key in the spec
-///           as the field, for example "gear2.profile_shift"; `pair.shaft_angle` if double-helical
-///           gears have crossed axes; `gear2.form` if gear 2 is a rack and `scope` includes more
-///           than the single gears
+/// Errors    a spec that describes a drive or has no gear 1; the errors of arrange(), halve() and
+///           halves_of(), with the path of the key in the spec as the field, for example
+///           "gear2.profile_shift"; `pair.shaft_angle` if double-helical gears have crossed axes;
+///           `gear2.form` if gear 2 is a rack and `scope` includes more than the single gears
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
 /// Works like solve(), but gear 2 may also be a rack.

@@ -42,7 +42,8 @@ struct Answer {
                        ///< mm
 };
 
-/// Returns the answer with its specs and notes in the units of the spec.
+/// Returns the answer with its specs and sentences in the units of the spec. The record stays in
+/// mm.
 Answer in_units_of(const JobSpec& spec, Answer answer);
 
 /// Returns the record in the units of the answer. If the verb judges gears, `warnings` and
@@ -80,7 +81,7 @@ const Verb* find_verb(std::string_view name);
 std::string verb_names();
 
 /// Returns the JSON of the result of a verb. If the name is empty, the verb is `pair` for two gears
-/// and `gear` for one gear.
+/// or a rack, and `gear` for one gear.
 ///
 /// Domain    the verb exists (contract)
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);

@@ -29,7 +29,7 @@ std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody
 /// Makes one sheet for each gear or rack of the job whose number (1 or 2) is in `gears`.
 /// `tolerance_mm` is the greatest deviation of the drawn outlines.
 ///
-/// Errors    the errors of make_body and make_file
+/// Errors    the errors of make_body(), gear_sheet() and rack_sheet()
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 

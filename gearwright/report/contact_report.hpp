@@ -33,8 +33,8 @@ struct ContactReport : ContactScene {
   std::optional<ContactMap> map;
   const ArcPair* arc_pair = nullptr;  ///< the pair, if its gears have circular-arc teeth
   /// The halves of a double-helical pair at z > 0 and z < 0. There is only one entry if the halves
-  /// are mirror images. An entry contains only patterns and gap. All other data of this report
-  /// belong to the whole gears.
+  /// are mirror images. An entry contains only its ContactScene, patterns and gap. All other data
+  /// of this report belong to the whole gears.
   std::vector<ContactReport> halves;
 };
 
@@ -42,10 +42,10 @@ struct ContactReport : ContactScene {
 /// then conjugate.
 inline constexpr double kConjugate = 1e-6;
 
-/// Returns the result of tooth contact in one or two sentences of plain text, for all interfaces.
-/// The text states the transmission error, and whether the flanks touch along lines, at points or
-/// at edges. `span` is the peak-to-peak value of the continuous transmission error, if it was
-/// computed.
+/// Returns the result of tooth contact in a few sentences of plain text, for all interfaces. The
+/// text states the transmission error, and whether the flanks touch along lines, at points or at
+/// edges. If contact is lost, it states only this. `span` is the peak-to-peak value of the
+/// continuous transmission error, if it was computed.
 std::string contact_words(const ContactResult& contact, std::optional<Angle> span = {});
 
 }  // namespace gearwright

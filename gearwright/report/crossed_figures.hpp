@@ -79,7 +79,7 @@ Figure face_use_figure(const CrossedPair& pair);
 /// Domain    the flanks meet (contract)
 Figure speed_figure(const CrossedPair& pair);
 
-/// Writes a table of the contact speeds over each flank at the points of the path of contact.
+/// Writes a table of the contact speeds over each flank at the points A, C and E.
 ///
 /// Domain    the flanks meet (contract)
 std::string speed_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
@@ -97,6 +97,7 @@ std::string min_distance_figure(const CrossedPair& pair, UnitSystem units = Unit
 std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// Writes table and figure of the least centre distance, in a folded section for manual checks.
+/// Without a figure, the table is not folded.
 std::string min_distance_part(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

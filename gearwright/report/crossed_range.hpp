@@ -21,7 +21,7 @@ struct CrossedSample {
 
 /// Returns the position without backlash at which the common rack of both gears has the pressure
 /// angle α_wn, with the contact ratio and the face widths at this position. Returns none if there
-/// is no such rack.
+/// is no such rack, or if the shaft angle would be out of range.
 ///
 /// Formula   crossed_place() for the position, mesh_of() for the contact ratio and the face widths
 /// Domain    crossed axes (contract)
@@ -42,8 +42,9 @@ struct Approximation {
 };
 
 /// Returns the approximate solutions of pair/series.hpp for the least centre distance. The result
-/// is empty if the pair is internal, or if the modules or the pressure angles of the racks of both
-/// gears have a relative difference above 1e-9. Solutions for which no rack exists are omitted.
+/// is empty if there is no least centre distance, if the pair is internal, or if the modules or the
+/// pressure angles of the racks of both gears have a relative difference above 1e-9. Solutions for
+/// which no rack exists are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 
 FigureAxis angle_axis(double lo, double hi);

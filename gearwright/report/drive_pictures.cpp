@@ -22,7 +22,7 @@ namespace {
 constexpr double kSectionEdge = 12.0;  // px, margin of a section
 // px, least width of a section that is taller than it is wide.
 constexpr double kLeastWidth = 320.0;
-// Greatest shown length of a rack, in tip radii of the pinion.
+// Greatest shown length of a rack to either side of its pinion, in tip radii of the pinion.
 constexpr double kBarRadii = 8.0;
 constexpr double kPhaseTall = 0.82;    // height of a picture divided by its width
 constexpr double kPhaseModules = 6.5;  // modules, size of the area in a picture of a phase
@@ -251,8 +251,9 @@ class Pictures {
         escaped(graph_.bodies[input].name), least, least + 1.0, 1.0 / kSliderSteps, shown);
   }
 
-  // Returns one picture for every mesh between a planet and a central gear. In every picture, the
-  // planet is above the central gear. A planet with phase γ lags γ pitches behind the first planet.
+  // Returns a picture of each planet in every mesh between planets and a central gear, for sets of
+  // two or more planets. In every picture, the planet is above the central gear. A planet with
+  // phase γ lags γ pitches behind the first planet.
   std::string phases() {
     std::string text;
     for (const PlanetSet& set : drive_.sets) {

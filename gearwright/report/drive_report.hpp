@@ -1,6 +1,6 @@
 // Writes one HTML page about a whole drive. The page contains the verdict, the scheme, and sections
-// of the drive with the control that turns the gears. The power flow and the phases follow, and
-// finally each mesh as a pair of gears.
+// of the drive with the control that turns the gears and the phases of the planets. The power flow,
+// strength, load and planets follow, then each mesh as a pair of gears, the gears and the files.
 //
 // The laws of report_html() hold for this page too.
 #pragma once
@@ -34,8 +34,8 @@ std::string drive_report_html(const DriveReportInput& input);
 // turn, and the meshes of the planets side by side.
 //
 // One control turns all pictures. While t runs from 0 to 1, the drive makes the smallest motion
-// after which it looks the same as before. A drive with a rack moves to and fro instead, while t
-// runs from −1/2 to 1/2 and back.
+// after which it looks the same as before, or one turn of the input if this motion is unknown. A
+// drive with a rack moves to and fro instead, while t runs from −1/2 to 1/2 and back.
 
 /// Returns the name of the SVG definition that contains the shape of a gear (gear_shape.hpp) or of
 /// a rack (rack_mesh.hpp).

@@ -59,7 +59,7 @@ Figure arc_mesh_figure(const ArcPair& pair, std::size_t which,
 // Draws circular-arc teeth at their contact point.
 //
 //   ρ, a, b   radius of an arc and position of its centre, mm, as in pair/arc_contact.hpp
-//   ψ_c       angle of the common normal to the pitch line, where the racks touch
+//   θ_0       angle of the common normal to the pitch line, where the racks touch
 //                                              theory: docs/theory/07-circular-arc.md, 7.1, 7.4
 
 /// Returns half a tooth of the gear's rack in the normal section, from the middle of the space to

@@ -66,7 +66,8 @@ struct ReportInput {
 ///   Laws      (1) same input, same bytes
 ///             (2) the page loads nothing; style, script and pictures are in it
 ///             (3) title, spec, findings and file names may contain any text
-/// Units     lengths in mm to 0.1 µm, angles in degrees to 0.00001°; missing values are “–”
+/// Units     lengths in `units`, to 0.1 µm if in mm, angles in degrees to 0.00001°; missing values
+///           are “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in figure/gear_shape.hpp)
 /// Domain    one or two gears, none null; two if there is a pair, one if there is a rack (contract)
 std::string report_html(const ReportInput& input);

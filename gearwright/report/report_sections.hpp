@@ -74,8 +74,8 @@ std::string contact_section(const ContactReport& report, const FigureForm& form 
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
                          const FigureForm& form = {});
 
-/// Draws the root stress along the fillet of each gear, and over the face. The result is empty if
-/// root stresses were not computed.
+/// Draws the root stress along the fillet of each gear, over the face and during a mesh. The result
+/// is empty if root stresses were not computed.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes,
                                 UnitSystem units = UnitSystem::mm);
 
@@ -96,12 +96,13 @@ std::string compensate_section(const CompensateView& view, UnitSystem units = Un
 /// Domain    a scatter with samples (contract)
 std::string scatter_section(const ScatterView& view, UnitSystem units = UnitSystem::mm);
 /// Returns the values of a quantity in all samples, and its percentiles. Returns none if the
-/// quantity is the same in all samples. `id` becomes the id of the figures.
+/// quantity is the same in all samples, or if the view has no spread of it. `id` becomes the id of
+/// the figures.
 std::optional<DistributionScene> distribution_scene(const ScatterView& view,
                                                     ScatterQuantity quantity, const char* id);
-/// Returns the figures of a scatter for the report, the web page and notebooks. There are one or
-/// more figures for each quantity that varies, and the density of contact patterns if the view
-/// contains it.
+/// Returns the figures of a scatter for the report, the web page and notebooks. They are two
+/// figures of the peak-to-peak transmission error and one of the least backlash, each only if the
+/// quantity varies, and the density of contact patterns if the view contains it.
 std::vector<Figure> scatter_figures(const ScatterView& view);
 
 /// Writes the section about strength, with inputs, factors, stresses and safety factors and their

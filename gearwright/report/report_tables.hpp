@@ -42,9 +42,10 @@ std::string path_table(const InvolutePair& pair, UnitSystem units = UnitSystem::
 /// this.
 std::string interference_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
-/// Writes a box for each available key figure. These are ratio, centre distance, contact ratio,
-/// backlash (at both ends of the tolerances), mass, safety factors, contact pressure and
-/// transmission error. The result is empty if there are no key figures.
+/// Writes a box for each available key figure. These are ratio or travel, centre distance, contact
+/// ratio, backlash (at both ends of the tolerances), mass, safety factors, torque, contact
+/// pressure, transmission error and its greatest percentile. The result is empty if there are no
+/// key figures.
 std::string key_figures(const ReportInput& input);
 
 /// Writes one box for each key for which the records have a value, in the order of `keys`. If there

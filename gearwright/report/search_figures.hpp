@@ -20,9 +20,9 @@ namespace gearwright {
 inline constexpr std::size_t kMaxDots = 2000;
 
 /// Returns a figure of the designs over the first two objectives. If there is only one objective,
-/// the second axis shows the centre distance, or the ratio if the centre distance is given. The
-/// figure shows the first kMaxDots designs and the whole front. If the user points at a dot, its
-/// design is shown. The result is empty if there are no designs.
+/// the second axis shows the centre distance, or the ratio if one exact centre distance is given.
+/// The figure shows the first kMaxDots designs and the whole front. If the user points at a dot,
+/// its design is shown. The result is empty if no design has both values.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
                           UnitSystem units = UnitSystem::mm);
 

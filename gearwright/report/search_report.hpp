@@ -26,7 +26,7 @@ struct SearchReport {
   UnitSystem units = UnitSystem::mm;  ///< units of the lengths
 };
 
-/// Number of the best designs that have a picture.
+/// Greatest number of designs, best first, that have a picture of their region.
 inline constexpr std::size_t kRegionPictures = 20;
 
 /// Returns the page in UTF-8.

@@ -32,7 +32,7 @@ class TableBuilder {
   /// Adds the rows of a group of the catalogue, without the heading of the group. A row has one
   /// value for each column, or one value for all columns. The table must have as many columns as
   /// the group has records. A group with a single record (a pair) may also be added to a table with
-  /// two columns. Each value then spans both columns.
+  /// two columns. A value of the whole pair then spans both columns.
   void rows(const TextGroup& group);
   /// Adds the rows of each group under its heading.
   void groups(const std::vector<TextGroup>& groups);

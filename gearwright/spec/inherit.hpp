@@ -1,7 +1,8 @@
 // Copies values from gear 1 to gear 2 if the table of gear 2 omits them. These values are the
 // module, the pressure angle, the rack, the face width, the gap and stagger of a double-helical
-// gear, the material, the quality and the helix angle. Gear 2 gets the opposite hand of helix, or
-// the same hand if it is an internal gear. A material that is only a name becomes a table.
+// gear, the material, the accuracy grade with its edition, and the helix angle. Gear 2 gets the
+// opposite hand of helix, or the same hand if it is an internal gear. A material that is only a
+// name becomes a table.
 //
 // Internal to spec/ and the programs.
 #pragma once
@@ -33,11 +34,12 @@ inline constexpr std::string_view kNotOfRack =
 /// is replaced by a table [material] with this name.
 Json with_named_materials(const Json& tree);
 
-/// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by
-/// another gear or given by its base cylinder takes no dimensions of the teeth. The helix is not
-/// copied if the axes cross at a given angle. Face width, gap and stagger are not copied if the
-/// axes cross or if the spec has [fit]. A rack of arcs is not copied if it can cut only one gear of
-/// a pair. If gear 2 is unknown and gear 1 has no module, nothing is copied.
+/// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear 2 with
+/// `cut_by` or [basic] takes neither helix angle, module, pressure angle nor rack. The helix angle
+/// is not copied if the axes cross at a given angle or if gear 1 has [basic]. Face width, gap and
+/// stagger are not copied if the axes cross or if the spec has [fit]. A rack of arcs is not copied
+/// if it can cut only one gear of a pair. If gear 2 is unknown and gear 1 has no module, nothing is
+/// copied.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

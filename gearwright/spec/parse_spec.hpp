@@ -45,7 +45,7 @@ Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& fo
 struct GivenKeys;  // catalogue/spelling.hpp
 
 /// Returns the spec in mm with the keys of the catalogue, without the key `units`. `given` receives
-/// the units and, for inch, the lengths as written.
+/// the units and, for inch, the converted values as written.
 ///
 /// Throws  SpecError if `units` is not a known word, or if the key of a length has the wrong unit
 Json in_catalogue_units(const Json& spec, GivenKeys& given);

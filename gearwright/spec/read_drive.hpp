@@ -24,12 +24,13 @@ bool is_drive(const Json& tree);
 /// short forms, are expanded to a graph.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// Returns the materials of the gears that have their own material, by the names of the gears. The
-/// map is empty if the tree has no table of a drive.
+/// Returns the materials of a drive or of a search for drives, by the names of the gears. A gear
+/// has a material if its own table, or the table of its stage, its planetary set or the search,
+/// gives one.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Sets an absent speed of [rating] to the speed of the first input, because without a speed
-/// neither a life nor a power can be computed.
+/// Sets an absent speed of [rating] to the magnitude of the speed of the first input, because
+/// without a speed neither a life nor a power can be computed.
 void lend_speed(Json& tree);
 
 /// K_γ of the meshes of a drive, as [rating] gives it.

@@ -54,9 +54,9 @@ void add_mating_gear(const Json& tree, int mate, Json& readings) {
   readings["mating_teeth"] = mating.cylindrical.teeth;
 }
 
-// Reads the keys of an unknown gear that identify() does not compute. They are only checked
-// here and stay in the spec of every candidate. identify() uses a given profile shift,
-// thickness allowance or rack as a known value.
+// Reads the keys of an unknown gear that identify() does not compute. They are checked here and
+// stay in the spec of every candidate. identify() uses a given profile shift, thickness allowance
+// or rack as a known value.
 void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& p) {
   TableReader t(gear_keys(), gear, path);
   t.refuse_unknown();

@@ -244,7 +244,8 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
 }
 
 // Completes the racks to be tried. Each rack of the list `racks` is used for both gears. Without
-// this list, each gear has its own rack, or the default rack if neither gear gives one.
+// this list, each gear has the rack of its own table. A gear 2 without a rack has the rack of gear
+// 1. If no rack is found, the default rack remains.
 void complete_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
   const bool list = t.given("racks");
   if (list && (blanks[0].rack || blanks[1].rack))

@@ -1,7 +1,7 @@
 // Reads the table [search] of a spec, for pairs or for drives. Some inputs of a search are in other
-// tables. A search does not choose the pressure angle, the rack, the helix and the face width, so
-// these are in [gear1] and [gear2]. The load is in [rating]. These inputs and the table [scatter]
-// are also read here.
+// tables. The pressure angle is in [gear1] or [gear2]. The rack, the helix angle and the face width
+// are also there, unless [search] gives them. The load is in [rating]. These inputs and the table
+// [scatter] are also read here.
 //
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once

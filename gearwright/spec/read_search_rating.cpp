@@ -15,7 +15,8 @@ namespace gearwright {
 namespace {
 
 // Returns the materials in the tables of the gears, even if these tables contain no teeth. If gear
-// 2 has no material, it takes the material of gear 1.
+// 2 has no material, it takes the material of gear 1. If neither has one, both take that of
+// [rating].
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;

@@ -87,8 +87,9 @@ struct RexsSpec {
 };
 
 /// Errors    a model without cylindrical stages, or with stages of another type; stages that form
-///           neither a chain nor one planetary set (set_of_rexs); a stage without two gears, a gear
-///           without teeth
+///           neither a chain nor one planetary set (set_of_rexs); members of a planetary set with
+///           different modules or pressure angles; a stage without two gears; a gear without a
+///           number of teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
 /// Returns the spec as TOML. Comments at its beginning name the version of the file and the parts

@@ -225,8 +225,9 @@ class Reader {
     return torque_on(shaft) || shaft.text("defines_speed") == "true";
   }
 
-  // Returns the chain of stages along their common shafts. The chain starts at the shaft with the
-  // given torque or speed. If no torque and no speed is given, it starts at the first stage.
+  // Returns the chain of stages along their common shafts. The chain starts at a shaft with a
+  // single stage. If several shafts have a single stage, it starts at the last one that defines a
+  // torque or a speed, or else at the first one.
   Result<Json> train() {
     const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
       RexsStage* found = nullptr;

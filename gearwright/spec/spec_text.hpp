@@ -26,8 +26,8 @@ struct SpecText {
 /// REXS file (spec/rexs_file.hpp) is converted to TOML.
 ///
 /// Throws    IoError if the file cannot be read
-/// Errors    a REXS file that cannot be read or converted to a spec (spec_of_rexs); more than
-///           kMaxSpec bytes, which are not read
+/// Errors    a REXS file that cannot be read or converted to a spec (spec_of_rexs); UTF-16 text;
+///           more than kMaxSpec bytes, which are not read
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// A position counted from 1, with columns in characters.
@@ -40,7 +40,8 @@ struct TextPlace {
 /// of a syntax error of TOML. For any other key, read_spec must be able to parse the text.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
-// Sets one key of a spec's TOML text. Comments, order and blanks remain unchanged.
+// Sets one key of a spec's TOML text. Comments, order and blanks remain unchanged, unless the key
+// cannot be set in place. In this rare case, the whole text is written anew, without comments.
 
 /// `path` has the form that errors use, for example "gear1.rack.dedendum". `value` is JSON text.
 /// Null removes the key. If the key is alone on a line, the whole line is removed.

@@ -35,7 +35,8 @@ constexpr std::size_t kMaxConstraints = 500;  ///< with this limit, a header fit
 
 /// The content of a chunk file and its state.
 struct ChunkRead {
-  enum class State { whole, damaged, foreign };  ///< foreign: undamaged, but of another campaign
+  /// `foreign`: a chunk of another campaign, whose payload is not checked.
+  enum class State { whole, damaged, foreign };
   State state = State::whole;
   std::string damage;     ///< for example "is 12 bytes long instead of 96 bytes"; empty if whole
   ChunkCounts counts;     ///< set if whole

@@ -47,7 +47,7 @@ struct ChunkCounts {
 };
 
 enum class OpenAs {
-  fresh,   ///< starts a campaign; rejected if one exists with finished chunks
+  fresh,   ///< starts a campaign; rejected if another exists, or this one with finished chunks
   resume,  ///< continues an existing campaign
   join     ///< starts or continues a campaign, for shards and ranks that start at the same moment
 };
@@ -58,19 +58,19 @@ enum class OpenAs {
 ///           or if SQLite fails (with its message and the path of the journal)
 class ChunkStore {
  public:
-  /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is
-  /// renamed, reported by notes() and counts as missing. A temporary file is removed if it was
-  /// written by a process of this host that is now dead, or if it is older than a day. `writer` is
-  /// the name of this process in the rows of the journal.
+  /// Opens `folder` and checks every chunk file of the campaign against its checksum. A broken
+  /// file, or one of another campaign, is renamed, reported by notes() and counts as missing. A
+  /// temporary file is removed if it was written by a process of this host that is now dead, or if
+  /// it is older than a day. `writer` is the name of this process in the rows of the journal.
   ///
-  /// Errors    key "--out" if a search exists and `as` is fresh, if no search exists and `as` is
-  ///           resume, or if fingerprint, number of chunks or list of names differ; the message
-  ///           contains the first lines that differ
+  /// Errors    key "--out" if another search or a finished chunk exists and `as` is fresh, if no
+  ///           search exists and `as` is resume, or if fingerprint, number of chunks or list of
+  ///           names differ; the message contains the first lines that differ
   static Result<ChunkStore> open(const std::filesystem::path& folder, const Campaign& campaign,
                                  const std::vector<std::string>& rejected_names, OpenAs as,
                                  std::string writer);
 
-  /// True if a campaign has begun in the folder.
+  /// True if the folder contains a journal.
   static bool is_in(const std::filesystem::path& folder);
 
   ChunkStore(ChunkStore&&) noexcept;
@@ -94,7 +94,7 @@ class ChunkStore {
   /// Throws    IoError if the chunk is missing or broken. A broken chunk is renamed and counts as
   ///           missing
   std::string get(std::int64_t chunk) const;
-  /// Returns the counts of a finished chunk.   Throws   IoError like get()
+  /// Returns the counts of a finished chunk. Its bytes are not checked.   Throws IoError like get()
   ChunkCounts counts(std::int64_t chunk) const;
   /// Returns the sum over all finished chunks of all processes.   Throws   IoError like get()
   ChunkCounts totals() const;
@@ -108,9 +108,9 @@ class ChunkStore {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the first three differences between the lines "key = value" of two campaigns, for
-/// example "search.contact_ratio_min was 1.2 and is now 1.3; search.m_max was 5 and is not set
-/// now".
+/// Returns the first three differences between the lines "key = value" of two campaigns and the
+/// number of others, for example "search.contact_ratio_min was 1.2 and is now 1.3; search.m_max was
+/// 5 and is not set now".
 std::string campaign_differences(const std::string& was, const std::string& is);
 
 }  // namespace gearwright

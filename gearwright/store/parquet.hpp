@@ -10,10 +10,10 @@
 //                  places similar exponents next to each other
 //   text           PLAIN, UTF-8
 //
-// All pages are compressed by zstd and contain a checksum, so a reader detects a damaged file.
-// For each column of numbers, a row group states the least and the greatest value, so that readers
-// can skip groups that a query does not need. The same rows and the same version of zstd give the
-// same bytes.
+// All pages are compressed by zstd and contain a checksum, so a reader detects a damaged file. For
+// each column of numbers without NaN, a row group states the least and the greatest value, so that
+// readers can skip groups that a query does not need. The same rows and the same version of zstd
+// give the same bytes.
 #pragma once
 
 #include <cstddef>

@@ -34,11 +34,12 @@ struct Answered {
 };
 Answered answered(std::string_view verb, const std::string& text);
 
-/// Returns the same spec in mm, as TOML. Comments of the text are lost.
+/// Returns the same spec in mm. A spec in mm is returned unchanged. Any other spec becomes TOML
+/// without comments.
 Result<std::string> metric(const std::string& text);
 
 /// Converts JSON to TOML, or TOML to JSON. In the JSON, a material that was only a name becomes a
-/// table with this name. Returns an error if the text cannot be read.
+/// table with this name. Returns an error if the text cannot be read, or if the JSON contains null.
 Result<std::string> to_toml(const std::string& json);
 Result<std::string> to_json_text(const std::string& toml);
 

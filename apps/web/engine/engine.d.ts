@@ -163,7 +163,7 @@ export interface MeshLines {
   shaftAngleDeg: number;
   lineOfAction: Float64Array; // x, y, z of both ends, which are the base tangent points
   trailingLine: Float64Array; // line of action of the non-working flanks
-  pathOfContact: Float64Array; // x, y, z of A and E, or of the points of a curved path
+  pathOfContact: Float64Array; // x, y, z of A and E
   points: { name: "A" | "B" | "C" | "D" | "E"; x: number; y: number; z: number }[];
 }
 
@@ -201,12 +201,13 @@ export interface Scattered {
 export interface ShiftRegion {
   point: [number, number]; // the profile shifts of the spec
   inside: boolean;
-  /** Distance of the point from the nearest border in modules. It is negative outside the region. */
+  /** Distance of the point from the nearest border in modules. It is negative outside the region,
+   *  and −Infinity if there is no region. */
   margin: number;
   /** The name of the nearest border if the point is on it or outside the region, otherwise "". */
   stoppedBy: string;
   borders: Record<string, string>; // words for every border that occurs: "contact ratio 1.2"; empty without a region
-  whatKills: string; // name of the first limit that leaves no region; "" if there is a region
+  whatKills: string; // words for the first limit that leaves no region; "" if there is a region
   figure: Figure | null; // null if no view was requested
 }
 
@@ -263,7 +264,8 @@ export interface Row {
 
 /** A figure as in the report, with its picture, its caption and the data of its curves. Gears in section have
  *  no caption. The group of class "plot" describes the scales of its axes in `data-x` and `data-y`. Each
- *  attribute is "lo hi from to", where the value `lo` is at the position `from`, and `hi` is at `to`, in px. */
+ *  attribute is "lo hi from to", where the value `lo` is at the position `from`, and `hi` is at `to`, in px.
+ *  The word "log" follows for a logarithmic axis. */
 export interface Figure {
   id: string; // name, "te", "spectrum", "bearing1", "pressure2"
   html: string; // a `figure` element; its classes are those of figure_style.css
@@ -382,11 +384,12 @@ export interface Session {
    *  transmission error. The estimate takes a fraction of a second. `width` is the width of a figure in px. */
   scatterSketch(width: number): Scattered | Failed;
   /** Returns the effect of the tolerances of [scatter], computed by complete contact analyses. The number of samples
-   *  is at most 1024. It is smaller if 1024 samples would take longer than about three seconds. */
+   *  is at most 1024 and at most that of the spec. It is smaller if the analysis would take longer
+   *  than about one second. */
   scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
-  /** Returns the bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json
-   *  require 0. */
+  /** Returns the bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. `gear` has
+   *  no effect on report and json, nor on files of a drive. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
   delete(): void;
 }
@@ -422,7 +425,8 @@ export interface Engine {
   /** Converts a spec from JSON to TOML, or from TOML to JSON. Values are preserved, but comments are lost. */
   toToml(json: string): string | Failed;
   toJson(toml: string): string | Failed;
-  /** Returns the same spec in mm, as TOML. Sessions and searches need specs in mm. */
+  /** Returns the same spec in mm. A spec in mm is unchanged, and any other spec becomes TOML.
+   *  Sessions and searches need specs in mm. */
   metric(text: string): string | Failed;
   /** Sets one key of a TOML text, for example "gear1.profile_shift", and returns the new text. The value
    *  is JSON, "0.25" or "\"left\"". "null" removes the key. Comments and order are preserved. */

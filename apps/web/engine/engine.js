@@ -13,7 +13,7 @@ export function failed(x) {
   return typeof x === "object" && x !== null && "error" in x;
 }
 
-/** Calls that return text. For these calls, an error is also returned as text. */
+/** Calls that return JSON as text. For these calls, an error is also returned as text. */
 const kTexts = ["run", "json", "best"];
 const kDefaults = {
   openSearch: ["", 0],

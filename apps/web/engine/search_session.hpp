@@ -14,7 +14,7 @@ namespace gearwright::web {
 
 class SearchSession {
  public:
-  /// Errors    the errors of read_spec and run_search; a spec without [search]
+  /// Errors    the errors of read_spec and run_search; a spec in inch or without [search]
   static Result<std::shared_ptr<SearchSession>> open(std::string text, int most);
 
   std::int64_t trials() const { return trials_; }

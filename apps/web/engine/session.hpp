@@ -47,7 +47,7 @@ struct ShiftView {
 
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  /// Errors    the errors of read_spec and solve
+  /// Errors    the errors of read_spec and solve; a spec in inch
   static Result<std::shared_ptr<Session>> open(std::string text);
 
   const SolvedJob& job() const { return job_; }

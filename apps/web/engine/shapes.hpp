@@ -31,8 +31,8 @@ Json shape(const FlankRaster& raster);
 Json shape(const TriangleMesh& mesh, double tolerance);
 /// Returns a pose as a column-major 4×4 matrix, as three.js requires.
 Json shape(const Eigen::Isometry3d& pose);
-/// Returns a figure `width` px wide, with its caption as HTML and its data. Figures of gears in
-/// section have no caption.
+/// Returns a figure `width` px wide (280 to 1400 px), with its caption as HTML and its data.
+/// Figures of gears in section have no caption.
 Json shape(const Figure& figure, double width);
 
 }  // namespace gearwright::web

@@ -45,7 +45,8 @@ export class SpecError extends Error {
 /** Returns the output of `gearwright VERB SPEC --json` as an object.   Throws  SpecError */
 export function solve(spec: Spec, verb?: Verb): Result;
 
-/** Returns the bytes of a file of gear 1 or 2, or of the mounted pair if `gear` is 0.   Throws  SpecError */
+/** Returns the bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0.
+ *  Throws  SpecError */
 export function file(
   spec: Spec,
   kind: FileKind,

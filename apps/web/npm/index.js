@@ -27,7 +27,7 @@ export function solve(spec, verb = "pair") {
   return said;
 }
 
-/** Returns the bytes of a file of gear 1 or 2, or of the mounted pair if `gear` is 0. */
+/** Returns the bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. */
 export function file(spec, kind, { gear = 0, toleranceMm = 0 } = {}) {
   const session = engine.open(text(spec));
   if (failed(session)) throw new SpecError(session.error);

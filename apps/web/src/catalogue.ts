@@ -46,7 +46,7 @@ const kLongest = 44;
 
 /** Returns the name of a key on the page. If the key sets a quantity, it is the name of this quantity.
  *  Otherwise it is the key in words, for example "normal module" for normal_module_mm. If these words are
- *  unclear, it is the meaning of the key. */
+ *  unclear, it is the beginning of the meaning of the key, provided that it is short. */
 export function wordsOf(table: string, key: InputKey): string {
   const info = (kResultsOf[table] ?? [table])
     .map((name) => quantity(name, key.key))
@@ -69,7 +69,7 @@ export function wordsAt(table: string, name: string): string {
   return key ? wordsOf(table, key) : name.replaceAll("_", " ");
 }
 
-/** Returns the range of a key in words, for example "between 1 and 60, usually 14.5 to 30". */
+/** Returns the range of a key in words, for example "from 1 to 60, usually 14.5 to 30". */
 export function rangeOf(key: InputKey): string {
   const range = key.range;
   if (!range) return "";

@@ -64,7 +64,7 @@ class Judgement {
       return error ? [[part, error.message]] : [];
     });
   }
-  /** The verdict on all parts that have been judged, or null if there is no pair. */
+  /** The verdict on all parts that have been judged, or null if the spec has no result. */
   get verdict(): Verdict | null {
     const pair = bench.solved?.result?.["verdict"] as unknown as Verdict | undefined;
     if (!pair) return null;

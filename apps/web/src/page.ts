@@ -15,7 +15,7 @@ import { bench, kMostCharacters } from "./workbench";
 
 /** The part that a narrow screen shows first. */
 const kFirstPart = "view";
-/** If the table of numbers has less than this fraction of the height, only its heading is visible. */
+/** If the table of numbers has at most this fraction of the height, only its heading is visible. */
 const kFolded = 0.05;
 /** A spec with units = "inch", in TOML or JSON. */
 const kInInch = /^[{\s]*"?units"?\s*[=:]\s*["']inch["']/m;

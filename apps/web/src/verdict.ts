@@ -97,7 +97,8 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** Returns the messages of a result. They are its findings, and the warnings that are not findings. */
+/** Returns the messages of a result. They are its findings that are not green, and the warnings that
+ *  are not among them. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

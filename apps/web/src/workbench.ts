@@ -8,7 +8,7 @@ import { type Answer, EngineLink, type Name, type Progress } from "./engine_link
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
 
 type Listener = () => void;
-/** The greatest length of a text that is accepted as a spec. The longest example has 2000 characters. */
+/** The greatest length of a text that is accepted as a spec. The longest example has 1600 characters. */
 export const kMostCharacters = 1_000_000;
 /** Changes of the same field within this time are undone in one step. */
 const kOneStepMs = 900;

@@ -35,7 +35,7 @@ export class Corrections extends Requested {
   }
 }
 
-/** Returns, for example, "Transmission error, peak to peak 3.2 → 0.4 ″.". */
+/** Returns, for example, "transmission error, peak to peak: 3.2 → 0.4 ″.". */
 function wordsOf(found: JsonRecord): string {
   if (found["nothing_to_correct"]) return "No correction reduces the transmission error.";
   const loads = found["under_load"] as JsonRecord[] | undefined;

@@ -1,6 +1,6 @@
-// The map of the peak-to-peak transmission error as a function of two errors. It is computed row by
-// row in the background, with a progress bar and a button that stops it. A click on the map sets
-// both errors in the spec to the values at the node that is nearest to the pointer.
+// The map of the peak-to-peak transmission error as a function of two errors. It is computed point
+// by point in the background, with a progress bar and a button that stops it. A click on the map
+// sets both errors in the spec to the values at the node that is nearest to the pointer.
 
 import type { ErrorMap, Figure } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";

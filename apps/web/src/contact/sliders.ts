@@ -1,5 +1,6 @@
-// Shows a slider, centred on 0, for every mounting error and every modification. The pictures follow the
-// slider while it moves. A double click or the key 0 resets it.
+// Shows a slider for every documented error and for the usual modifications. Its range is centred
+// on 0, or starts at 0 if the key cannot be negative. The pictures follow the slider while it
+// moves. A double click or the key 0 resets it.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";

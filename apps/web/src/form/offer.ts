@@ -124,8 +124,8 @@ function numberAt(places: string[]): number | null {
  *  ordinary steel teeth. */
 const kUnitLoad = 20;
 
-/** Returns the torque that the spec gives for another purpose, or a torque of 1, 2 or 5 times a power of ten that
- *  loads the teeth lightly. */
+/** Returns the torque that the spec gives, directly or by power and speed. Otherwise returns a torque
+ *  of 1, 2 or 5 times a power of ten that loads the teeth lightly. */
 export function firstTorque(): number {
   const given = numberAt(["load.torque_Nm", "rating.torque_Nm"]);
   if (given !== null) return given;

@@ -1,5 +1,5 @@
-// The tab "rating" shows the strength by ISO 6336. The colour of each safety shows its level in the verdict.
-// As in the report, every factor has its clause of the standard and the branch of the formula.
+// The tab "rating" shows the strength by ISO 6336 or VDI 2736. The colour of each safety shows its level
+// in the verdict. As in the report, every factor has its clause of the standard and the branch of the formula.
 
 import type { Row } from "../../engine/engine";
 import { AnswerView } from "../answer_view";

@@ -1,5 +1,5 @@
 // Shows a slider for half of the width of each tolerance in [scatter], and a slider for the accuracy grade of
-// the teeth. The middle of a range does not change. A double click or the key 0 sets the width to 0.
+// the teeth. The middle of a range does not change. A double click or the key 0 sets the width of a range to 0.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -21,7 +21,7 @@ const kReach: Record<string, number> = { "°": 0.05, µm: 10, mm: 0.05 };
 /** Keys that have a single number instead of a range, with the least and the greatest permitted number. */
 const kSingle: Record<string, [number, number?]> = { radius_mm: [0.001], quality: [1, 11] };
 
-/** Returns the tolerances in a spec, in the order of the catalogue. */
+/** Returns the tolerances in a spec. Those of one table are in the order of the spec. */
 function tolerancesOf(spec: Tree | null): Tolerance[] {
   const list: Tolerance[] = [];
   const add = (place: string, table: string, only?: string[]) => {

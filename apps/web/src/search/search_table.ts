@@ -44,8 +44,8 @@ export function valueIn(design: Design, column: Column): Json | undefined {
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
 
-/** Returns all columns in which at least one design has a value. If the search has a single objective, its values
- *  have no name, and `only` is the name of this objective. */
+/** Returns the columns that users see and in which at least one design has a value. If the search has
+ *  a single objective, its values have no name, and `only` is the name of this objective. */
 export function columnsOf(designs: Design[], only: string): Column[] {
   const columns: Column[] = [];
   for (const info of quantities("search.designs")?.quantities ?? []) {

@@ -67,7 +67,7 @@ export class SolidScene {
     canvas.addEventListener("dblclick", () => this.look());
   }
 
-  /** Replaces the solids. The camera moves only if their size has changed much. */
+  /** Replaces the solids by gears. The camera stays, and frame() moves it. */
   setMeshes(meshes: Mesh[], internal: boolean[], driver: number): void {
     this.clear();
     meshes.forEach((mesh, i) => {
