@@ -17,13 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Converts keyword arguments to changes of a spec. None becomes null, which removes a key. None
-// within a dict is ignored.
+// Adds null to `tree` for every None in a dict, because tree_of() omits them.
+void add_nulls(py::handle value, Json& tree) {
+  if (!PyDict_Check(value.ptr())) return;
+  for (const auto& [name, member] : py::reinterpret_borrow<py::dict>(value))
+    add_nulls(member, tree[std::string(py::str(name))]);
+}
+
+// Converts keyword arguments to changes of a spec. None becomes null, which removes a key.
 Json changes_of(const py::kwargs& kwargs) {
   Json changes = Json::object();
   for (const auto& [name, value] : kwargs) {
     const std::string key = py::str(name);
     changes[key] = tree_of(value, key);
+    add_nulls(value, changes[key]);
   }
   return changes;
 }

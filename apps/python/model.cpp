@@ -116,7 +116,8 @@ void change(Json& tree, const Json& changes) {
   for (const auto& [key, value] : changes.items()) {
     if (value.is_null()) {
       tree.erase(key);
-    } else if (value.is_object() && tree.contains(key) && tree[key].is_object()) {
+    } else if (value.is_object()) {
+      if (!tree.contains(key) || !tree[key].is_object()) tree[key] = Json::object();
       change(tree[key], value);
     } else {
       tree[key] = value;

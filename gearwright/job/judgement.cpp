@@ -15,7 +15,7 @@ namespace {
 
 std::vector<std::string> not_judged(const SolvedJob& job, const JudgedParts& parts) {
   std::vector<std::string> list;
-  if (!job.pair) {
+  if (!job.mounted()) {
     if (job.gears.size() > 1) list.emplace_back("pair");
     return list;
   }
@@ -49,7 +49,7 @@ std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange&
                       rack->normal_backlash()};
 }
 
-Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
+Verdict verdict_of_rack(const SolvedJob& job, const JudgedParts& parts) {
   Judged judged = judged_rack(*job.rack, job.warnings);
   judged.contact = parts.contact;
   return verdict_of(judged, findings_of(judged), [&](const SpecChange& change, TryDepth depth) {
@@ -57,10 +57,7 @@ Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
   });
 }
 
-}  // namespace
-
-Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
-  if (job.rack) return rack_verdict(job, parts);
+Verdict verdict_of_pair(const SolvedJob& job, const JudgedParts& parts) {
   JudgedWith with{.contact = parts.contact, .errors = job.spec.errors.any()};
   with.contact_again = [&](Arranged& changed) -> std::optional<ContactResult> {
     SolvedJob again{std::move(changed), job.spec, job.halves};
@@ -74,7 +71,13 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
     const RatingAnswer& r = *parts.rating;
     with.rating = JudgedRating{&r.pair, &r.input, &r.rating, r.wanted};
   }
-  Verdict verdict = judge(static_cast<const Arranged&>(job), with);
+  return judge(static_cast<const Arranged&>(job), with);
+}
+
+}  // namespace
+
+Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
+  Verdict verdict = job.rack ? verdict_of_rack(job, parts) : verdict_of_pair(job, parts);
   for (Finding& f : verdict.findings)
     f.message = spelled(f.message, job.spec.given, f.gear == 0 ? "" : gear_field(f.gear));
   verdict.not_judged = not_judged(job, parts);

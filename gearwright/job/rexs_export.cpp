@@ -215,6 +215,11 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
       return Error{name, "",
                    "is a rack, which a REXS file does not support, because its cylindrical stages "
                    "have two gears"};
+    if (graph.gears[g].double_helical)
+      return Error{
+          name, "",
+          "is double-helical, which a REXS file does not support, because its gears have a "
+          "single helix"};
     if (!graph.gears[g].spec)
       return Error{name, "", "has no module; a REXS file needs `normal_module_mm` of every gear"};
     if (!geometry.gears[g])

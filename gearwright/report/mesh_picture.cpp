@@ -18,8 +18,11 @@ constexpr double kLeastAspect = 420.0 / 360.0, kMostAspect = 420.0 / 120.0;
 
 std::string about_ring(const Gear& gear_2) {
   if (!gear_2.internal()) return {};
-  if (has_outline(gear_2))
+  if (has_outline(gear_2)) {
+    // gear_shape() draws the given outside diameter.
+    if (gear_2.bore) return {};
     return fmt::format(" The internal gear is drawn with a rim of {:g} modules.", kRim);
+  }
   return " <strong>The internal gear has no outline</strong>, because its cutter is not given. Its "
          "tip and root circles are drawn instead.";
 }

@@ -43,6 +43,8 @@ def test_replace():
     assert further.center_distance == 79 and p.center_distance == 78.6056
     assert further.backlash.normal > p.backlash.normal
     assert p.replace(gear1={"profile_shift": 0.2}).gear1.profile_shift == 0.2
+    assert p.replace(gear1={"profile_shift": 0.2}).replace(gear1={"profile_shift": None}).spec == \
+        p.replace(gear1=p.gear1.replace(profile_shift=None)).spec
     assert p.replace(gear2=wheel(teeth=44)).gear2.teeth == 44
     assert pinion().replace(teeth=19).teeth == 19
     assert "thickness_allowance_mm" not in pinion().replace(thickness_allowance=None).spec

@@ -22,6 +22,7 @@ export interface Result {
   title?: string;
   gears?: Values[];
   pair?: Values;
+  drive?: Values;
   contact?: Values;
   compensate?: Values;
   propose?: Values;
