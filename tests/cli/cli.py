@@ -41,6 +41,14 @@ def new_folder():
     return folder
 
 
+def keep(verb, name, text, status, message):
+    """Appends a spec and its result to the file for tests/schema. Specs of users are shorter than 64 kB."""
+    if SPECS and len(text) <= 1 << 16:
+        kept = {"verb": verb, "name": name, "text": text, "status": status, "message": message}
+        with SPECS.open("a") as file:
+            file.write(json.dumps(kept) + "\n")
+
+
 class Run:
     """One run of the program: exit status, stdout, stderr, the parsed JSON or None, and the folder of the
     run."""
@@ -60,21 +68,26 @@ class Run:
             self.json = json.loads(self.out)
         except ValueError:
             self.json = None
-        self._keep(verb)
-
-    def _keep(self, verb):
-        if not SPECS or not self.spec.is_file() or self.spec.stat().st_size > 1 << 16:  # specs are
-                                                                                        # shorter
-            return
-        kept = {"verb": verb, "name": self.spec.name, "text": self.spec.read_bytes().decode(errors="replace"),
-                "status": self.status, "message": self.err}
-        with SPECS.open("a") as file:
-            file.write(json.dumps(kept) + "\n")
+        if self.spec.is_file():
+            keep(verb, self.spec.name, self.spec.read_bytes().decode(errors="replace"), self.status, self.err)
 
     def files(self):
         """Returns the files of the run, except for the list of files that the verb run writes."""
         files = (f for f in self.folder.rglob("*") if f.is_file() and f.name != ".gearwright_files")
         return sorted(str(f.relative_to(self.folder)) for f in files)
+
+
+def batch(verb, specs):
+    """Returns the JSON of each spec, a dict. All specs are solved in one process."""
+    lines = [json.dumps(spec) for spec in specs]
+    p = subprocess.run([BIN, "batch", verb], input="".join(line + "\n" for line in lines), capture_output=True, text=True,
+                       timeout=120)
+    answers = [json.loads(line) for line in p.stdout.splitlines()]
+    assert len(answers) == len(specs), p.stderr
+    for line, answer in zip(lines, answers):
+        message = answer["error"]["message"] + "\n" if "error" in answer else ""
+        keep(verb, "case.json", line, int("error" in answer), message)
+    return answers
 
 
 def raw(*args):
