@@ -77,8 +77,8 @@ bool is_rexs(const std::filesystem::path& path);
 /// Domain    ids that are whole numbers, and attributes that are numbers or flags (contract)
 std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path);
 
-// Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]]
-// tables, and a planetary stage to [planetary]. Internal to spec/ and job/.
+// Converts a REXS model to a spec: one cylindrical stage to a pair, a planetary stage to [planetary],
+// and a chain of such stages to [[stage]] tables. Internal to spec/ and job/.
 
 struct RexsSpec {
   Json tables;
@@ -86,8 +86,8 @@ struct RexsSpec {
 };
 
 /// Errors    a model without cylindrical stages, or with stages of another type; stages that form
-///           neither a chain nor one planetary set (set_of_rexs); a stage without two gears, a gear
-///           without teeth
+///           neither a chain nor planetary sets (rexs_chain, set_of_rexs); a stage without two
+///           gears, a gear without teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
 /// The spec as TOML. Comments at its beginning name the version of the file and the parts that were
