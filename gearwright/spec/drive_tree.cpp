@@ -136,6 +136,9 @@ Json body_of(const DriveGraph& graph, const DriveBody& body) {
   j["count"] = body.count;
   if (!body.positions_deg.empty()) j["positions_deg"] = body.positions_deg;
   if (body.spacing) j["spacing"] = word(*body.spacing);
+  if (body.side != IdlerSide::counter_clockwise)
+    j["idler_side"] =
+        drive_body_keys().find("idler_side")->words[static_cast<std::size_t>(body.side)];
   return j;
 }
 
