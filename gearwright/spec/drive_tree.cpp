@@ -148,7 +148,8 @@ Json gear_of(const DriveGraph& graph, const DriveGear& gear) {
   if (!gear.spec) return j;
   const CylindricalSpec& spec = *gear.spec;
   j["normal_module_mm"] = spec.normal_module;
-  j["normal_pressure_angle_deg"] = tidy(spec.normal_pressure_angle);
+  // A rack of arcs has the pressure angle in its own table.
+  if (is_straight(spec.rack)) j["normal_pressure_angle_deg"] = tidy(spec.normal_pressure_angle);
   j["helix_angle_deg"] = tidy(spec.helix_angle);
   if (spec.face_width > 0.0) j["face_width_mm"] = spec.face_width;
   if (spec.thickness_allowance != 0.0) j["thickness_allowance_mm"] = spec.thickness_allowance;
