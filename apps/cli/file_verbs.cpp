@@ -80,7 +80,7 @@ int end_run(const Options& o, UnitSystem units, const RunFiles& made, const std:
 
 int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs::path& out,
               const FileOptions& options) {
-  const auto job = solve_whole_drive(spec);
+  const auto job = solve_whole_drive(spec, {.contact = Wanted::yes});
   if (!job) return door.fail(job.error());
   const auto made = write_drive_files(*job, out, options);
   if (!made) return door.fail(made.error());

@@ -67,7 +67,7 @@ int answering_verb(const Verb& verb, const Options& o, const SpecText* text) {
                           : verb.run(spec, nullptr);
   if (!answer) return door.fail(answer.error());
   if (o.expand)
-    print_spec(answer->expanded, o.json);
+    print_spec(answer->drive_specs().expanded, o.json);
   else if (const auto error = print_answer(*answer, o.json, o.csv, o.take))
     return door.fail(*error);
   return answer->verdict ? status(o, *answer->verdict) : 0;

@@ -37,9 +37,11 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
                                   const std::optional<int>& take) {
   if (take) {
     const auto at = static_cast<std::size_t>(*take - 1);
-    if (at >= answer.specs.size()) return no_such_spec(*take, answer.specs.size(), answer.why_none);
-    print_spec(answer.specs[at], json,
-               at < answer.notes.size() ? answer.notes[at] : std::vector<std::string>());
+    const DriveSpecs drive = answer.drive_specs ? answer.drive_specs() : DriveSpecs();
+    const auto& specs = answer.drive_specs ? drive.meshes : answer.specs;
+    const auto& notes = answer.drive_specs ? drive.notes : answer.notes;
+    if (at >= specs.size()) return no_such_spec(*take, specs.size(), answer.why_none);
+    print_spec(specs[at], json, at < notes.size() ? notes[at] : std::vector<std::string>());
   } else if (csv) {
     print(answer.csv());
   } else if (json) {

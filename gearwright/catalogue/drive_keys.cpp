@@ -140,6 +140,11 @@ Key spacing_key(KeyPlace place, std::string_view fallback = "\"nearest\"") {
       "that it meshes; `opposite` places the planets in opposite pairs");
 }
 
+Key idler_side_key(KeyPlace place, std::string_view meaning) {
+  return Key::word("idler_side", {"counter_clockwise", "clockwise"}, std::move(place),
+                   "\"counter_clockwise\"", meaning);
+}
+
 std::string set_teeth(StageInput& input, const std::array<int, 2>& teeth) {
   input.stage.pair.teeth = teeth;
   const auto possible = [](int z) { return z != 0 && std::abs(z) <= kMostTeeth; };
@@ -184,6 +189,10 @@ const KeyTable& planetary_keys() {
               "`planet2`, with `planet`",
               true),
        member(SetMember::idler, "number of teeth of an idler between sun and planet"),
+       idler_side_key(&P::idler_side,
+                      "side of the idler as seen from its planet, about the axis of the carrier, "
+                      "seen from +z; the two sides are mirror images, so `\"clockwise\"` gives the "
+                      "drive that turns in the other sense with all hands reversed"),
        Key::number("planets", "N", KeyRange::between(1, 1000), &P::planets, "1",
                    "number of planets"),
        Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &P::normal_module,
@@ -372,7 +381,11 @@ const KeyTable& drive_body_keys() {
            "determined by `spacing`",
            "positions of the copies around the carrier, counter-clockwise from the first copy")
            .with_list({1, 1000}),
-       spacing_key({&B::body, &DriveBody::spacing}, "the value for the whole drive")}};
+       spacing_key({&B::body, &DriveBody::spacing}, "the value for the whole drive"),
+       idler_side_key(
+           {&B::body, &DriveBody::side},
+           "side of a planet that meshes with an earlier planet, as seen from the earlier "
+           "planet about the axis of the carrier, seen from +z")}};
   return table;
 }
 

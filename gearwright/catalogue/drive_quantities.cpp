@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/drive/drive_forces.hpp"
@@ -371,6 +372,14 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
          "rack_pair", "the pinion and its rack as mounted; only for a mesh with a rack",
          [](const V& v) -> const auto& { return v.drive->geometry.racks[v.mesh]; })
         .when([](const V& v) { return v.drive->geometry.racks[v.mesh].has_value(); })
+        .doors(kJson);
+    q.record<contact_quantities>(
+         "contact",
+         "tooth contact of the mesh, as the verb `contact` computes it for the pair that `--take` "
+         "prints; only with `[errors]` or `[contact]`, and always with the verb `run`; null if no "
+         "teeth touch or if the teeth cannot be mounted",
+         [](const V& v) -> const auto& { return v.drive->analyses[v.mesh]; })
+        .when([](const V& v) { return !v.drive->analyses.empty(); })
         .doors(kJson);
     q.record<rating_quantities>(
          "rating", "rating of one copy of the mesh; only with the verb `rate`; null without power",

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/contact_view.hpp"
 #include "gearwright/drive/assembly.hpp"
 #include "gearwright/drive/drive_geometry.hpp"
 #include "gearwright/drive/drive_motion.hpp"
@@ -134,6 +134,9 @@ struct Drive {
   /// Contact of each mesh under the errors of the spec. The list is empty if the spec has no
   /// errors. The contact is none for a mesh with unknown flanks or an unknown sense of rotation.
   std::vector<std::optional<MeshContact>> contacts;
+  /// The contact analysis of each mesh as a separate pair, with the table [contact] of the spec. The
+  /// list is empty if the analysis was not requested. The analysis is none if no teeth touch.
+  std::vector<std::optional<ContactView>> analyses;
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< stages of a train; each is a separate drive
 

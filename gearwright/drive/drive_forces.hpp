@@ -39,7 +39,7 @@ std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh);
 /// Returns the forces on a body. Returns none if the body has no gears, if mesh_forces() is none
 /// for one of its meshes, or if the positions of the axes are unknown.
 ///
-/// Formula   [T13.31]
+/// Formula   [T13.31]; for the pin of an idler, [T13.15d]
 std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body);
 
 }  // namespace gearwright

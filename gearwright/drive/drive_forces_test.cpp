@@ -1,6 +1,6 @@
 // Laws: (1) closed forms of a helical planet between sun and ring; (2) the forces on the planets
 // act on the carrier with the torque of the power flow; (3) axial forces of all bodies add up to 0;
-// (4) a pair has the forces of the common normal.
+// (4) a pair has the forces of the common normal; (5) closed forms of both places of an idler.
 #include "gearwright/drive/drive_forces.hpp"
 
 #include <gtest/gtest.h>
@@ -83,6 +83,34 @@ TEST(DriveForces, BalanceTheTorquesOfThePowerFlow) {
   const Drive lossy = drive_of(helical_set(18.0, 0.98));
   EXPECT_NEAR(std::abs(mesh_forces(lossy, 1)->tangential / mesh_forces(lossy, 0)->tangential), 0.98,
               1e-12);
+}
+
+// Law (5). r_1 and r_2 point from the axis of the idler to the axes of the sun and of the planet. The
+// sun turns counter-clockwise and pushes the idler by −F_t z × r_1 − F_r r_1, and the planet resists
+// with F_t z × r_2 − F_r r_2. Both sums are parallel to r_1 + r_2. They have the same sense if r_2 is
+// counter-clockwise from r_1, which is so if the idler is counter-clockwise from the planet.
+TEST(DriveForces, OfAnIdlerDependOnItsSide) {
+  PlanetarySpec set = helical_set(0.0, 1.0);
+  set.z(M::sun) = 26;
+  set.z(M::idler) = 17;
+  set.z(M::planet) = 17;
+  set.z(M::ring) = 80;
+  set.profile_shift.all = 0.0;
+  const Drive left = drive_of(set);
+  set.idler_side = IdlerSide::clockwise;
+  const Drive right = drive_of(set);
+  const auto& a = left.geometry.distance;  // sun and idler, idler and planet, planet and ring
+  ASSERT_EQ(left.graph.meshes[2].name, "planet_ring");
+  const double cosine = (*a[0] * *a[0] + *a[1] * *a[1] - *a[2] * *a[2]) / (2 * *a[0] * *a[1]);
+  const double half = std::acos(cosine) / 2;
+  const double F_t = 50e3 / 3 / 26.0;  // m z/2 = 26 mm
+  const double along = F_t * 2 * std::sin(half);
+  const double across = F_t * std::tan(Angle::degrees(20).rad()) * 2 * std::cos(half);
+  const std::size_t idler = body_named(left, "idler");
+  EXPECT_NEAR(body_forces(left, idler)->radial, along + across, 1e-6);
+  EXPECT_NEAR(body_forces(right, idler)->radial, along - across, 1e-6);
+  for (const Drive* drive : {&left, &right})
+    EXPECT_EQ(mesh_forces(*drive, 0)->tangential, mesh_forces(left, 0)->tangential);
 }
 
 TEST(DriveForces, NeedATorqueAndTeeth) {

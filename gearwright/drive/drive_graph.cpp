@@ -35,6 +35,20 @@ std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
   return std::nullopt;
 }
 
+// Returns an error if a body has a side, but no earlier planet to which the side refers.
+std::optional<Error> check_side(const DriveGraph& graph, std::size_t index) {
+  const DriveBody& body = graph.bodies[index];
+  if (body.side == IdlerSide::counter_clockwise) return std::nullopt;
+  for (const DriveMesh& mesh : graph.meshes) {
+    const std::size_t a = graph.gear(mesh, 0).body, b = graph.gear(mesh, 1).body;
+    if (std::max(a, b) == index && graph.bodies[std::min(a, b)].carrier) return std::nullopt;
+  }
+  return Error{
+      "drive.body", body.name,
+      "is clockwise from its planet, but it meshes with no planet that precedes it; list the "
+      "planet before this body"};
+}
+
 std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) {
   const DriveGear& a = graph.gear(mesh, 0);
   const DriveGear& b = graph.gear(mesh, 1);
@@ -132,6 +146,8 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
   }
   for (const DriveMesh& mesh : graph.meshes)
     if (auto error = check_mesh(graph, mesh)) return error;
+  for (std::size_t i = 0; i < graph.bodies.size(); ++i)
+    if (auto error = check_side(graph, i)) return error;
   return std::nullopt;
 }
 

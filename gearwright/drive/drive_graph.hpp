@@ -32,12 +32,22 @@ enum class Spacing {
   opposite,       ///< pairs of opposite planets
 };
 
+/// Side of an idler on its carrier. Two triangles with the axes of the carrier, the planet and the
+/// idler as corners are possible. They are mirror images, and one turns into the other if the sense
+/// of rotation and all hands are reversed.
+enum class IdlerSide {
+  counter_clockwise,  ///< seen from +z, the idler is counter-clockwise from its planet
+  clockwise,
+};
+
 struct DriveBody {
   std::string name;
   std::optional<std::size_t> carrier;  ///< the body on which this body turns
   int count = 1;                       ///< N, number of copies of a rider
   std::vector<double> positions_deg;   ///< angle of each copy; if empty, `spacing` is used
   std::optional<Spacing> spacing{};    ///< by default DriveGraph::spacing
+  /// Side of this rider as seen from the earlier rider with which it meshes.
+  IdlerSide side = IdlerSide::counter_clockwise;
 };
 
 /// A gear with the known data of its teeth. If the module is unknown, no geometry is computed.

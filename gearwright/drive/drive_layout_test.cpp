@@ -1,7 +1,7 @@
 // Laws: (1) at the start and after any motion every copy of every mesh has a tooth opposite a
 // space, [T13.15c]; (2) clocked planets have the clocking of [T13.14]; (3) gears that would cut
 // each other in one plane do not share a slot; (4) after turns_until_alike() every gear has moved
-// by whole teeth.
+// by whole teeth; (5) the two places of an idler are mirror images.
 #include "gearwright/drive/drive_layout.hpp"
 
 #include <gtest/gtest.h>
@@ -88,12 +88,19 @@ std::vector<PlanetarySpec> sets() {
       toothed_set({{M::sun, 28}, {M::idler, 22}, {M::planet, 22}, {M::sun2, 38}, {M::ring, 82}}, 3);
   ravigneaux.fixed = {{"carrier"}};
   ravigneaux.output = "ring";
+  PlanetarySpec clockwise = ravigneaux;
+  clockwise.idler_side = IdlerSide::clockwise;
+  PlanetarySpec idler =
+      toothed_set({{M::sun, 26}, {M::idler, 17}, {M::planet, 17}, {M::ring, 80}}, 3);
+  idler.idler_side = IdlerSide::clockwise;
   return {toothed_set({{M::sun, 20}, {M::planet, 25}, {M::ring, 70}}, 3),
           toothed_set({{M::sun, 19}, {M::planet, 17}, {M::ring, 53}}, 5),
           helical,
           clocked,
           joint,
-          ravigneaux};
+          ravigneaux,
+          clockwise,
+          idler};
 }
 
 TEST(DriveLayout, AllMeshesMeetAtAllTimes) {
@@ -105,6 +112,30 @@ TEST(DriveLayout, AllMeshesMeetAtAllTimes) {
           << drive.graph.gears.size() << " gears, after " << turns;
     }
   }
+}
+
+// Law (5). Only the angle of the idler changes its sign, and with it the direction of its mesh.
+TEST(DriveLayout, TheSidesOfAnIdlerAreMirrorImages) {
+  PlanetarySpec set =
+      toothed_set({{M::sun, 26}, {M::idler, 17}, {M::planet, 17}, {M::ring, 80}}, 3);
+  set.positions_deg = {0.0, 120.0, 240.0};
+  const Drive left = laid_drive(set);
+  set.idler_side = IdlerSide::clockwise;
+  const Drive right = laid_drive(set);
+  const DriveLayout one = laid(left), two = laid(right);
+  double off_line = 0.0;
+  for (std::size_t b = 0; b < left.graph.bodies.size(); ++b) {
+    EXPECT_EQ(one.places.axes[b].x(), two.places.axes[b].x());
+    EXPECT_EQ(one.places.axes[b].y(), -two.places.axes[b].y());
+    off_line = std::max(off_line, one.places.axes[b].y());
+  }
+  EXPECT_GT(off_line, 10.0);
+  EXPECT_EQ(left.sets[0].assembly.places, right.sets[0].assembly.places);
+  EXPECT_NEAR(left.sets[0].neighbours->clearance, right.sets[0].neighbours->clearance, 1e-12);
+  EXPECT_EQ(left.sets[0].neighbours->most, right.sets[0].neighbours->most);
+  EXPECT_EQ(left.backlash->output, right.backlash->output);
+  set.z(M::idler).reset();
+  EXPECT_EQ(graph_of(set).error().field, "planetary.idler_side");
 }
 
 TEST(DriveLayout, ALayoutThatIsOffByATenthOfAPitchIsSeen) {

@@ -39,6 +39,20 @@ bool first_drives(const Drive& drive, std::size_t m, double load) {
   return -a.factor() * load * turning(drive, a.body, m) > 0.0;
 }
 
+std::optional<MeshSense> sense_of(const Drive& drive, std::size_t m) {
+  const DriveGraph& graph = drive.graph;
+  if (graph.inputs.size() != 1 || drive.motion.freedom != 1 || !drive.motion.redundant.empty())
+    return std::nullopt;
+  double load = 0.0;
+  if (!drive.flow || drive.flow->self_locking() || drive.flow->driver[m] < 0) {
+    const auto loads = lossless_loads(graph, drive.motion, graph.inputs.front(), graph.output);
+    if (loads[m].zero() || !loads[m].fits()) return std::nullopt;
+    load = loads[m].value();
+  }
+  return MeshSense{first_drives(drive, m, load),
+                   turning(drive, graph.gear(graph.meshes[m], 0).body, m) > 0.0};
+}
+
 double passing_time(double turning, int teeth, double theta, bool drives, double half) {
   return (turning < 0.0 ? -1.0 : 1.0) * std::abs(teeth) * theta + (drives ? -half : half);
 }

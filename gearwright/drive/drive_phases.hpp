@@ -17,14 +17,18 @@
 
 namespace gearwright::detail {
 
-/// The phase of a mesh. The curve of a mesh is a function of x, the rotation of gear 1 in pitches
-/// from the centre line. The mesh reaches x at the time x − event + time + γ_i.
-struct MeshPhase {
+/// Which gear of a mesh drives, and from which face the contact analysis sees the gears.
+struct MeshSense {
   bool first_drives = true;
   /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis requires
   /// that gear 1 turns clockwise. If `turned` is true, the mesh is therefore analysed as seen from
   /// the other face.
   bool turned = false;
+};
+
+/// The phase of a mesh. The curve of a mesh is a function of x, the rotation of gear 1 in pitches
+/// from the centre line. The mesh reaches x at the time x − event + time + γ_i.
+struct MeshPhase : MeshSense {
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
   double time = 0.0;             ///< delay after the first mesh with this frequency, in periods
@@ -44,6 +48,10 @@ double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 ///
 /// Domain    one input (contract)
 bool first_drives(const Drive& drive, std::size_t mesh, double load);
+
+/// Returns the sense of a mesh. Returns none for a mesh without load, and if there are several
+/// inputs, several degrees of freedom or redundant meshes.
+std::optional<MeshSense> sense_of(const Drive& drive, std::size_t mesh);
 
 /// Returns the time at which the loaded flank of a gear passes the pitch point, in periods
 /// [T13.17]. The sign of `turning` is the sense of rotation of the gear in the frame of the mesh.

@@ -98,8 +98,9 @@ std::optional<std::vector<RiderPlace>> rider_places(
                              graph.bodies[group.carrier].name, *a, r, *between)};
         return std::nullopt;
       }
-      // The idler is counter-clockwise from its planet.
-      angle = riders[j].angle + std::acos(cosine);
+      const double between_them = std::acos(cosine);
+      const bool clockwise = graph.bodies[body].side == IdlerSide::clockwise;
+      angle = riders[j].angle + (clockwise ? -between_them : between_them);
       break;
     }
     riders.push_back({*a, angle});

@@ -84,6 +84,9 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
   if (has(M::idler) && !has(M::sun))
     return Error{"planetary.idler", std::to_string(*spec.z(M::idler)),
                  "needs a sun, because an idler is between the sun and the planet"};
+  if (spec.idler_side != IdlerSide::counter_clockwise && !has(M::idler))
+    return Error{"planetary.idler_side", "",
+                 "needs `planetary.idler`, the number of teeth of the idler"};
   if (has(M::planet2) && !has(M::sun2) && !has(M::ring2))
     return Error{"planetary.planet2", std::to_string(*spec.z(M::planet2)),
                  "needs sun2 or ring2, with which it meshes"};
@@ -366,6 +369,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& given) {
   for (const M m : {M::planet, M::idler})
     if (spec.z(m))
       graph.bodies.push_back({to_string(m), carrier, spec.planets, spec.positions_deg});
+  if (spec.z(M::idler)) graph.bodies.back().side = spec.idler_side;
   for (const M m : kMembers) {
     if (!spec.z(m)) continue;
     const auto body = find_body(graph, m == M::planet2 ? "planet" : to_string(m), "");

@@ -82,6 +82,7 @@ struct PlanetarySpec {
   std::optional<double> torque_Nm;
   Spacing spacing = Spacing::nearest;
   std::vector<double> positions_deg;
+  IdlerSide idler_side = IdlerSide::counter_clockwise;
 
   std::optional<int>& z(SetMember member) { return teeth[static_cast<std::size_t>(member)]; }
   const std::optional<int>& z(SetMember member) const {

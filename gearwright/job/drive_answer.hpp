@@ -71,10 +71,19 @@ struct MeshSpec {
 /// the torque, the speed relative to the carrier, the driving gear and the rating, as far as they
 /// are known. The tables for errors, contact, drawing and scatter are copied from the drive, except
 /// scatter for double-helical gears. If one gear is a rack, the rack is gear 2, and the spec
-/// contains no load.
+/// contains no load. If gear 1 turns counter-clockwise in the drive, errors and modifications are
+/// those seen from the other face, because gear 1 of a pair turns clockwise.
 ///
 /// Laws      the pair of this spec has the same numbers as the mesh in the drive
 /// Domain    expanded = expanded_spec() of the drive (contract)
 MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh);
+
+/// Reads the tables of mesh_spec() without those that apply to other results than contact and load.
+///
+/// Errors    the errors of read_spec_tree()
+Result<JobSpec> job_of_mesh(const Drive& drive, std::size_t mesh, Json tables);
+
+/// Returns the error with the name of the mesh in its rule.
+Error of_mesh(const Drive& drive, std::size_t mesh, Error error);
 
 }  // namespace gearwright

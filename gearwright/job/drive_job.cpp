@@ -248,13 +248,19 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
 
 }  // namespace
 
-Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, RateMeshes rating) {
+Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts,
+                                   Progress* progress) {
+  const auto wants = [](Wanted part, bool given) {
+    return part == Wanted::yes || (part == Wanted::if_given && given);
+  };
   auto solved = solve_drive(spec);
-  const bool rated =
-      rating == RateMeshes::yes || (rating == RateMeshes::if_given && spec.rating.given);
+  const bool rated = wants(parts.rating, spec.rating.given);
+  const bool analysed = wants(parts.contact, spec.errors.given || spec.contact.given);
   const bool loaded = spec.given.contains("load");
-  if (!solved || !(rated || loaded)) return solved;
+  if (!solved || !(rated || loaded || analysed)) return solved;
   DriveJob job = std::move(solved).take();
+  if (analysed)
+    if (auto error = analyse_drive_contact(job, progress)) return *error;
   const bool needs_load = loaded && read_mesh_load_factors(spec.tree->tables).computed;
   if (rated && !needs_load)
     if (auto error = drive_rater(spec)(job.drive)) return *error;

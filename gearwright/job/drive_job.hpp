@@ -51,15 +51,26 @@ std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 ///           name of the mesh in the rule; the errors of check_load() and loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
-enum class RateMeshes { no, if_given, yes };
-
-/// Computes the drive of a spec with all other results, and the verdict on these results. By
-/// default, the meshes are rated if the spec has [rating]. If the spec has [load], the drive under
-/// load is also computed.
+/// Analyses the contact of each mesh with the verb `contact`, as the pair that --take prints.
 ///
-/// Errors    the errors of solve_drive(), drive_rater() and load_drive()
-Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr,
-                                   RateMeshes rating = RateMeshes::if_given);
+/// Law       Drive::analyses has the contact of the spec of mesh_spec(), bit by bit
+/// Errors    the errors of solve_mesh() and answer_contact(), with the name of the mesh in the rule,
+///           unless the cause is that no teeth touch
+std::optional<Error> analyse_drive_contact(DriveJob& job, Progress* progress = nullptr);
+
+/// Results that not every caller needs. A result can also depend on a table of the spec: [rating],
+/// or [errors] and [contact].
+enum class Wanted { no, if_given, yes };
+struct DriveParts {
+  Wanted rating = Wanted::if_given, contact = Wanted::if_given;
+};
+
+/// Computes the drive of a spec with all other results, and the verdict on these results. If the
+/// spec has [load], the drive under load is also computed.
+///
+/// Errors    the errors of solve_drive(), drive_rater(), load_drive() and analyse_drive_contact()
+Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts = {},
+                                   Progress* progress = nullptr);
 
 /// Returns the required safety factors of [rating]. If they are absent, they are 1.
 Safeties wanted_safety(const JobSpec& spec);

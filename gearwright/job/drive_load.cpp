@@ -87,11 +87,10 @@ void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
 Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t mesh,
                                const LoadInput& load) {
   Json tables = mesh_spec(job, expanded, mesh).tables;
-  for (const char* table : {"rating", "scatter", "drawing"}) tables.erase(table);
   // [load] must have a torque, but its value has no effect. Only the gear bodies, the slices and
   // the accuracy of the request are used.
   tables["load"]["torque_Nm"] = 1.0;
-  const auto spec = read_spec_tree(tables);
+  const auto spec = job_of_mesh(job.drive, mesh, std::move(tables));
   if (!spec) return spec.error();
   auto solved = solve(*spec, Scope::pair);
   if (!solved) return solved.error();
@@ -130,11 +129,7 @@ std::optional<Error> load_drive(DriveJob& job, Progress* progress) {
   for (std::size_t m = 0; m < load.requests.size(); ++m) {
     if (drive.flow->driver[m] < 0) continue;
     auto request = request_of(job, expanded, m, spec.load);
-    if (!request) {
-      Error error = request.error();
-      error.rule = fmt::format("{} (mesh {})", error.rule, printable(drive.graph.meshes[m].name));
-      return error;
-    }
+    if (!request) return of_mesh(drive, m, request.error());
     load.requests[m] = std::move(request).take();
   }
   auto loaded = loaded_drive(drive, load, progress);

@@ -231,22 +231,28 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
   Writer writer(job.spec.title);
   // A body with several copies has a shaft for each copy.
   std::vector<std::vector<std::string>> shafts(graph.bodies.size());
-  std::optional<std::string> set;
   for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
     const DriveBody& body = graph.bodies[b];
-    if (body.carrier && !set) set = writer.planetary_stage("planetary stage");
     for (int copy = 0; copy < body.count; ++copy)
       shafts[b].push_back(
           writer.shaft(body.count > 1 ? fmt::format("{} {}", body.name, copy + 1) : body.name));
   }
-  for (std::size_t b = 0; set && b < graph.bodies.size(); ++b) {
-    bool carries = false;
-    for (const DriveBody& other : graph.bodies) carries = carries || other.carrier == b;
-    const char* const role = graph.bodies[b].carrier ? "planet_shaft"
-                             : carries               ? "planet_carrier_shaft"
-                                                     : "central_shaft";
-    for (const std::string& shaft : shafts[b])
-      writer.relate(role, {{"planetary_stage", *set}, {"shaft", shaft}});
+  // A carrier with its planets and the gears that mesh with them is a planetary stage.
+  for (std::size_t carrier = 0; carrier < graph.bodies.size(); ++carrier) {
+    std::vector<const char*> roles(graph.bodies.size(), nullptr);
+    for (const DriveMesh& mesh : graph.meshes)
+      for (const std::size_t g : mesh.gears)
+        if (graph.frame(mesh) == carrier)
+          roles[graph.gears[g].body] =
+              graph.body(graph.gears[g]).carrier ? "planet_shaft" : "central_shaft";
+    if (std::all_of(roles.begin(), roles.end(), [](auto* role) { return role == nullptr; }))
+      continue;
+    roles[carrier] = "planet_carrier_shaft";
+    const std::string set = writer.planetary_stage("planetary stage");
+    for (std::size_t b = 0; b < roles.size(); ++b)
+      for (const std::string& shaft : shafts[b])
+        if (roles[b] != nullptr)
+          writer.relate(roles[b], {{"planetary_stage", set}, {"shaft", shaft}});
   }
   std::vector<std::vector<std::string>> gears(graph.gears.size());
   for (std::size_t g = 0; g < graph.gears.size(); ++g)

@@ -373,11 +373,20 @@ Result<Answer> Verb::run(const JobSpec& spec, Progress* progress) const {
 
 Answer in_units_of(const JobSpec& spec, Answer answer) {
   if (spec.units() == UnitSystem::mm) return answer;
-  answer.units = spec.units();
-  for (Json& proposal : answer.specs) proposal = spec_in(answer.units, proposal);
-  answer.expanded = spec_in(answer.units, answer.expanded);
-  for (auto& notes : answer.notes)
-    for (std::string& note : notes) note = sentence_in(answer.units, note);
+  const UnitSystem units = answer.units = spec.units();
+  const auto convert = [units](std::vector<Json>& specs, auto& notes_of_specs) {
+    for (Json& each : specs) each = spec_in(units, each);
+    for (auto& notes : notes_of_specs)
+      for (std::string& note : notes) note = sentence_in(units, note);
+  };
+  convert(answer.specs, answer.notes);
+  if (answer.drive_specs)
+    answer.drive_specs = [convert, units, make = std::move(answer.drive_specs)] {
+      DriveSpecs made = make();
+      made.expanded = spec_in(units, made.expanded);
+      convert(made.meshes, made.notes);
+      return made;
+    };
   answer.why_none = sentence_in(answer.units, answer.why_none);
   return answer;
 }

@@ -22,17 +22,23 @@
 
 namespace gearwright {
 
+/// The specs of a drive.
+struct DriveSpecs {
+  Json expanded;                                ///< the spec with its graph
+  std::vector<Json> meshes;                     ///< each mesh as a pair
+  std::vector<std::vector<std::string>> notes;  ///< as Answer::notes, for each mesh
+};
+
 /// The result of a verb. The output for users is made only on request.
 struct Answer {
   Json record;                     ///< every quantity, with the keys of the catalogue
   std::vector<Warning> warnings;   ///< about the gears and the results
   std::optional<Verdict> verdict;  ///< none if the verb judges no gears
-  std::vector<Json> specs;  ///< specs that the verb proposes (branches, candidates, corrections),
-                            ///< or the meshes of a drive
+  std::vector<Json> specs;  ///< specs that the verb proposes (branches, candidates, corrections)
   /// For each of the specs, sentences about its origin, followed by facts that are important for
   /// the user. The list may be empty.
   std::vector<std::vector<std::string>> notes;
-  Json expanded;                         ///< for a drive, the spec with its graph; otherwise null
+  std::function<DriveSpecs()> drive_specs;  ///< empty if the result is no drive
   std::string why_none;                  ///< the reason, if a verb that proposes specs finds none
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table

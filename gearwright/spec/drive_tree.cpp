@@ -136,6 +136,9 @@ Json body_of(const DriveGraph& graph, const DriveBody& body) {
   j["count"] = body.count;
   if (!body.positions_deg.empty()) j["positions_deg"] = body.positions_deg;
   if (body.spacing) j["spacing"] = word(*body.spacing);
+  if (body.side != IdlerSide::counter_clockwise)
+    j["idler_side"] =
+        drive_body_keys().find("idler_side")->words[static_cast<std::size_t>(body.side)];
   return j;
 }
 
@@ -145,7 +148,8 @@ Json gear_of(const DriveGraph& graph, const DriveGear& gear) {
   if (!gear.spec) return j;
   const CylindricalSpec& spec = *gear.spec;
   j["normal_module_mm"] = spec.normal_module;
-  j["normal_pressure_angle_deg"] = tidy(spec.normal_pressure_angle);
+  // A rack of arcs has the pressure angle in its own table.
+  if (is_straight(spec.rack)) j["normal_pressure_angle_deg"] = tidy(spec.normal_pressure_angle);
   j["helix_angle_deg"] = tidy(spec.helix_angle);
   if (spec.face_width > 0.0) j["face_width_mm"] = spec.face_width;
   if (spec.thickness_allowance != 0.0) j["thickness_allowance_mm"] = spec.thickness_allowance;

@@ -78,8 +78,8 @@ bool is_rexs(const std::filesystem::path& path);
 /// Domain    ids that are whole numbers, and attributes that are numbers or flags (contract)
 std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path);
 
-// Converts a REXS model to a spec. One cylindrical stage becomes a pair, a chain of stages becomes
-// [[stage]] tables, and a planetary stage becomes [planetary]. Internal to spec/ and job/.
+// Converts a REXS model to a spec. One cylindrical stage becomes a pair, a planetary stage becomes
+// [planetary], and a chain of such stages becomes [[stage]] tables. Internal to spec/ and job/.
 
 struct RexsSpec {
   Json tables;
@@ -87,9 +87,9 @@ struct RexsSpec {
 };
 
 /// Errors    a model without cylindrical stages, or with stages of another type; stages that form
-///           neither a chain nor one planetary set (set_of_rexs); members of a planetary set with
-///           different modules or pressure angles; a stage without two gears; a gear without a
-///           number of teeth
+///           neither a chain nor planetary sets (rexs_chain, set_of_rexs); members of a planetary
+///           set with different modules or pressure angles; a stage without two gears; a gear without
+///           a number of teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
 /// Returns the spec as TOML. Comments at its beginning name the version of the file and the parts

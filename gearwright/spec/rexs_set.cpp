@@ -22,8 +22,8 @@ Error not_read(std::string_view what, const Component& c, std::string_view why) 
 
 class SetFinder {
  public:
-  SetFinder(const RexsModel& model, const std::vector<RexsStage>& stages)
-      : model_(model), stages_(stages) {}
+  SetFinder(const RexsModel& model, const std::vector<RexsStage>& stages, const Component& stage)
+      : model_(model), stages_(stages), stage_(stage) {}
 
   Result<RexsSet> set() {
     for (const auto step : {&SetFinder::name_planets, &SetFinder::name_central_gears,
@@ -37,9 +37,12 @@ class SetFinder {
     return model_.related(gear.id, {"assembly"}, {"shaft"});
   }
   bool has_role(std::string_view relation, std::string_view shaft) const {
-    return std::any_of(
-        model_.relations.begin(), model_.relations.end(),
-        [&](const RexsRelation& r) { return r.type == relation && r.of("shaft") == shaft; });
+    const bool only = model_.of_type("planetary_stage").size() == 1;
+    return std::any_of(model_.relations.begin(), model_.relations.end(),
+                       [&](const RexsRelation& r) {
+                         return r.type == relation && r.of("shaft") == shaft &&
+                                (only || r.of("planetary_stage") == stage_.id);
+                       });
   }
 
   Gears partners(const Component& gear) const {
@@ -162,40 +165,21 @@ class SetFinder {
       // The order is sun, idler, planet, ring.
       const auto rank = [](const std::string& n) { return std::string("sipr").find(n.front()); };
       if (rank(names[0]) > rank(names[1])) std::swap(names[0], names[1]);
-      set_.meshes.emplace(names[0] + "_" + names[1], &s);
+      set_.meshes.emplace(names[0] + "_" + names[1], s);
     }
     return std::nullopt;
   }
 
-  // Returns the shafts and the casing that turn with this shaft, because couplings connect them.
-  std::set<std::string> coupled(const std::string& shaft) const {
-    std::set<std::string> group{shaft};
-    for (std::size_t before = 0; before != group.size();) {
-      before = group.size();
-      for (const RexsRelation& r : model_.relations) {
-        const Component* const c = r.type == "side" ? model_.find(r.of("assembly")) : nullptr;
-        if (!c || (c->type != "coupling" &&
-                   !(c->type == "switchable_coupling" && c->text("is_engaged") == "true")))
-          continue;
-        for (const auto& [from, to] :
-             {std::pair("inner_part", "outer_part"), {"outer_part", "inner_part"}}) {
-          const Component* const part = model_.find(r.of(from));
-          if (part && part->type != "gear_casing" && group.count(part->id) > 0)
-            group.insert(std::string(r.of(to)));
-        }
-      }
-    }
-    return group;
-  }
-
   std::optional<Error> find_ends() {
-    std::map<std::string, std::set<std::string>> bodies;  // central bodies and their parts
+    auto& bodies = set_.bodies;
     for (const auto& [name, gear] : set_.gears)
       if (const Component* const shaft = rides(*gear) ? nullptr : shaft_of(*gear))
-        bodies[name] = coupled(shaft->id);
+        bodies[name] = rexs_coupled(model_, shaft->id);
     for (const Component* shaft : model_.of_type("shaft"))
-      if (has_role("planet_carrier_shaft", shaft->id)) bodies["carrier"].merge(coupled(shaft->id));
-    std::vector<std::string> held, unloaded;
+      if (has_role("planet_carrier_shaft", shaft->id))
+        bodies["carrier"].merge(rexs_coupled(model_, shaft->id));
+    std::vector<std::string>& held = set_.held;
+    std::vector<std::string> unloaded;
     std::vector<RexsEnd> defining, speed_only, following;
     std::map<std::string, std::string> owner;
     for (const auto& [name, parts] : bodies) {
@@ -258,6 +242,7 @@ class SetFinder {
 
   const RexsModel& model_;
   const std::vector<RexsStage>& stages_;
+  const Component& stage_;
   std::map<const Component*, std::string> member_;
   RexsSet set_;
 };
@@ -277,8 +262,41 @@ int rexs_teeth(const RexsComponent& gear) {
   return gear.type == "ring_gear" ? -z : z;
 }
 
-Result<RexsSet> set_of_rexs(const RexsModel& model, const std::vector<RexsStage>& stages) {
-  return SetFinder(model, stages).set();
+std::set<std::string> rexs_coupled(const RexsModel& model, const std::string& shaft) {
+  std::set<std::string> group{shaft};
+  for (std::size_t before = 0; before != group.size();) {
+    before = group.size();
+    for (const RexsRelation& r : model.relations) {
+      const Component* const c = r.type == "side" ? model.find(r.of("assembly")) : nullptr;
+      if (!c || (c->type != "coupling" &&
+                 !(c->type == "switchable_coupling" && c->text("is_engaged") == "true")))
+        continue;
+      for (const auto& [from, to] :
+           {std::pair("inner_part", "outer_part"), {"outer_part", "inner_part"}}) {
+        const Component* const part = model.find(r.of(from));
+        if (part && part->type != "gear_casing" && group.count(part->id) > 0)
+          group.insert(std::string(r.of(to)));
+      }
+    }
+  }
+  return group;
+}
+
+const Component* rexs_torque(const RexsModel& model, const Component& shaft) {
+  for (const Component* load : model.of_type("external_load"))
+    if (load->text("defines_torque") == "true" &&
+        model.related(load->id, {"assembly"}, {"shaft"}) == &shaft)
+      return load;
+  return nullptr;
+}
+
+bool rexs_drives(const RexsModel& model, const Component& shaft) {
+  return rexs_torque(model, shaft) || shaft.text("defines_speed") == "true";
+}
+
+Result<RexsSet> set_of_rexs(const RexsModel& model, const std::vector<RexsStage>& stages,
+                            const Component& planetary_stage) {
+  return SetFinder(model, stages, planetary_stage).set();
 }
 
 }  // namespace gearwright

@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,16 +41,30 @@ struct RexsEnd {
 struct RexsSet {
   std::map<std::string, const RexsComponent*> gears;  ///< by member; for several copies of a
                                                       ///< planet, the first copy
-  std::map<std::string, const RexsStage*> meshes;     ///< by the name of the mesh in [planetary]
+  std::map<std::string, RexsStage> meshes;            ///< by the name of the mesh in [planetary]
   std::size_t planets = 0;
+  /// The central bodies and the carrier, each with the ids of the shafts that turn with it.
+  std::map<std::string, std::set<std::string>> bodies;
+  std::vector<std::string> held;                  ///< bodies that are connected to the casing
   std::optional<std::vector<std::string>> fixed;  ///< held bodies; none if the file does not state
                                                   ///< them
   std::vector<RexsEnd> inputs;                    ///< empty if the file does not state them
   std::string output;                             ///< empty if the file does not state it
 };
 
+/// The shafts and the casing that turn together with this shaft, because couplings connect them.
+std::set<std::string> rexs_coupled(const RexsModel& model, const std::string& shaft);
+
+/// The load on this shaft that defines a torque, or null.
+const RexsComponent* rexs_torque(const RexsModel& model, const RexsComponent& shaft);
+/// True if the file defines the torque or the speed of the shaft.
+bool rexs_drives(const RexsModel& model, const RexsComponent& shaft);
+
+/// The set of a planetary stage. `stages` are its meshes.
+///
 /// Errors    a gear or a stage that is no part of a set of [planetary], by its name; several
 ///           outputs; members that are coupled with each other
-Result<RexsSet> set_of_rexs(const RexsModel& model, const std::vector<RexsStage>& stages);
+Result<RexsSet> set_of_rexs(const RexsModel& model, const std::vector<RexsStage>& stages,
+                            const RexsComponent& planetary_stage);
 
 }  // namespace gearwright

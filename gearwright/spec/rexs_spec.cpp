@@ -10,7 +10,7 @@
 #include "gearwright/drive/short_forms.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/spec/json.hpp"
-#include "gearwright/spec/rexs_set.hpp"
+#include "gearwright/spec/rexs_chain.hpp"
 
 namespace gearwright {
 
@@ -26,13 +26,12 @@ class Reader {
 
   Result<RexsSpec> spec() {
     if (auto error = find_stages()) return *error;
-    const auto sets = model_.of_type("planetary_stage");
-    if (sets.size() > 1)
-      return no_spec(fmt::format(
-          "the file has the planetary stages {} and {}, but only a single planetary set can be "
-          "read; use a separate file for each stage",
-          rexs_name(*sets[0]), rexs_name(*sets[1])));
-    auto made = !sets.empty() ? planetary() : stages_.size() == 1 ? pair() : train();
+    auto links = rexs_links(model_, stages_);
+    if (!links) return links.error();
+    const bool single = links->size() == 1;
+    auto made = !single              ? train(std::move(links).take())
+                : links->front().set ? planetary(*links->front().set)
+                                     : Result(pair());
     if (!made) return made.error();
     note_the_rest();
     return RexsSpec{std::move(made).take(), std::move(notes_)};
@@ -184,7 +183,7 @@ class Reader {
 
   Json start() const { return {{"title", title()}}; }
 
-  Result<Json> pair() {
+  Json pair() {
     RexsStage s = stages_[0];
     if (rexs_teeth(*s.gears[0]) < 0) std::swap(s.gears[0], s.gears[1]);
     Json spec = start();
@@ -213,83 +212,64 @@ class Reader {
     }
   }
 
-  // Returns the load on this shaft that defines a torque, or null.
-  const Component* torque_on(const Component& shaft) const {
-    for (const Component* load : model_.of_type("external_load"))
-      if (load->text("defines_torque") == "true" &&
-          model_.related(load->id, {"assembly"}, {"shaft"}) == &shaft)
-        return load;
-    return nullptr;
-  }
-  bool drives(const Component& shaft) const {
-    return torque_on(shaft) || shaft.text("defines_speed") == "true";
-  }
-
-  // Returns the chain of stages along their common shafts. The chain starts at a shaft with a
-  // single stage. If several shafts have a single stage, it starts at the last one that defines a
-  // torque or a speed, or else at the first one.
-  Result<Json> train() {
-    const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
-      RexsStage* found = nullptr;
-      for (RexsStage& s : stages_) {
-        if (used.count(s.stage) > 0) continue;
-        for (const std::size_t i : {0U, 1U}) {
-          if (!shaft || shaft_of(*s.gears[i]) != shaft) continue;
-          if (i == 1) std::swap(s.gears[0], s.gears[1]);
-          found = &s;
-          break;
-        }
-        if (found) break;
-      }
-      return found;
-    };
-    const Component* first = nullptr;
-    for (const Component* shaft : model_.of_type("shaft")) {
-      const auto on_it = std::count_if(stages_.begin(), stages_.end(), [&](const RexsStage& s) {
-        return shaft_of(*s.gears[0]) == shaft || shaft_of(*s.gears[1]) == shaft;
-      });
-      if (on_it == 1 && (!first || drives(*shaft))) first = shaft;
-    }
-    std::set<const Component*> used;
+  // The chain of stages along their common shafts.
+  Result<Json> train(std::vector<RexsLink> links) {
+    auto chain = rexs_chain(model_, std::move(links));
+    if (!chain) return chain.error();
     Json spec = start();
     spec["stage"] = Json::array();
-    const Component* shaft = first;
-    while (RexsStage* s = next_on(shaft, used)) {
-      used.insert(s->stage);
-      Json stage = {{"gears", {gear_table(*s->gears[0], true), gear_table(*s->gears[1], true)}}};
-      if (auto a = distance_of(*s)) stage["center_distance_mm"] = *a;
-      if (spec["stage"].empty()) add_load(stage, *shaft);
+    for (const RexsLink& link : *chain) {
+      Json stage = Json::object();
+      const bool first = spec["stage"].empty();
+      if (!link.set) {
+        const auto& [one, two] = link.pair.gears;
+        stage["gears"] = {gear_table(*one, true), gear_table(*two, true)};
+        if (auto a = distance_of(link.pair)) stage["center_distance_mm"] = *a;
+        if (first) add_load(stage, *shaft_of(*one));
+      } else {
+        auto set = set_table(*link.set);
+        if (!set) return set.error();
+        Json table = std::move(set).take();
+        table["fixed"] = one_or_all(link.fixed);
+        table["input"] = link.input;
+        table["output"] = link.output;
+        for (const std::string& id : link.set->bodies.at(link.input))
+          if (const Component* part = model_.find(id); first && part && part->type == "shaft")
+            add_load(table, *part);
+        stage["planetary"] = std::move(table);
+      }
       spec["stage"].push_back(std::move(stage));
-      shaft = shaft_of(*s->gears[1]);
     }
-    if (used.size() != stages_.size())
-      return no_spec(
-          fmt::format("the {} cylindrical stages do not form a chain from one shaft to the next; "
-                      "describe such a gear unit by [drive], or use a separate file for each stage",
-                      stages_.size()));
     return spec;
   }
 
   void add_load(Json& table, const Component& shaft) const {
-    const Component* const load = torque_on(shaft);
+    const Component* const load = rexs_torque(model_, shaft);
     const auto torque = load ? load->number("torque_around_u_axis") : std::nullopt;
     const auto speed = shaft.number("rotational_speed");
     if (torque) table["torque_Nm"] = std::abs(*torque);
-    if (speed && drives(shaft)) table["speed_rpm"] = std::abs(*speed);
+    if (speed && rexs_drives(model_, shaft)) table["speed_rpm"] = std::abs(*speed);
   }
 
-  Result<Json> planetary() {
-    const auto found = set_of_rexs(model_, stages_);
-    if (!found) return found.error();
+  Result<Json> planetary(const RexsSet& found) {
+    auto set = set_table(found);
+    if (!set) return set.error();
     Json spec = start();
-    Json& set = spec["planetary"] = Json::object();
+    spec["planetary"] = std::move(set).take();
+    add_ends(spec["planetary"], found);
+    return spec;
+  }
+
+  // The table of a set without its held bodies, its inputs and its output.
+  Result<Json> set_table(const RexsSet& found) {
+    Json set = Json::object();
     std::vector<std::pair<std::string, const Component*>> members;
     for (const std::string& name : set_member_names())
-      if (const auto it = found->gears.find(name); it != found->gears.end())
+      if (const auto it = found.gears.find(name); it != found.gears.end())
         members.emplace_back(*it);
     for (const auto& [name, gear] : members) set[name] = rexs_teeth(*gear);
-    set["planets"] = found->planets;
-    const Component& planet = *found->gears.at("planet");
+    set["planets"] = found.planets;
+    const Component& planet = *found.gears.at("planet");
     const Json first = gear_table(planet, true);
     for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg"})
       if (first.contains(key)) set[key] = first[key];
@@ -308,9 +288,9 @@ class Reader {
         if (table.contains(key)) set[key][name] = table[key];
       // Programs write the helix angle of a ring with different signs. A ring has the hand of its
       // planet, so the sign of the planet is used.
-      const bool stepped = name == "ring2" && found->gears.count("planet2") > 0;
+      const bool stepped = name == "ring2" && found.gears.count("planet2") > 0;
       const Component& sign =
-          gear->type == "ring_gear" ? *found->gears.at(stepped ? "planet2" : "planet") : *gear;
+          gear->type == "ring_gear" ? *found.gears.at(stepped ? "planet2" : "planet") : *gear;
       if (const auto beta = sign.number("helix_angle_reference_diameter").value_or(0.0);
           beta != 0.0)
         set["helix_angle_deg"][name] = beta;
@@ -319,16 +299,16 @@ class Reader {
                          name));
     }
     Json distances = Json::object();
-    for (const auto& [name, mesh] : found->meshes) put(distances, name.c_str(), distance_of(*mesh));
+    for (const auto& [name, mesh] : found.meshes) put(distances, name.c_str(), distance_of(mesh));
     const bool one = std::all_of(distances.begin(), distances.end(),
                                  [&](const Json& a) { return a == distances.front(); });
     if (!distances.empty()) set["center_distance_mm"] = one ? distances.front() : distances;
-    add_ends(set, *found);
-    return spec;
+    return set;
   }
 
+  static Json one_or_all(Json list) { return list.size() == 1 ? list[0] : list; }
+
   void add_ends(Json& set, const RexsSet& found) {
-    const auto one_or_all = [](Json list) { return list.size() == 1 ? list[0] : list; };
     if (found.fixed)
       set["fixed"] = one_or_all(*found.fixed);
     else

@@ -1,5 +1,5 @@
 // Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of
-// its shafts, and a planetary stage has the teeth of its members   (3) broken input is an error
+// its shafts, and a planetary stage, alone or in a chain, has the teeth of its members   (3) broken input is an error
 // (4) a gear or a stage that is no part of the drive that is read is an error with its name.
 #include "gearwright/spec/rexs_file.hpp"
 
@@ -169,6 +169,25 @@ TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
   EXPECT_NE(bare.notes[0].find("which member is held"), std::string::npos);
 }
 
+TEST(Rexs, AChainMayContainPlanetarySets) {
+  SetFile f = SetFile().couple("s4", "c");
+  f.components += gear("6", 20) + gear("7", 40) + component("20", "cylindrical_stage") +
+                  component("s6", "shaft",
+                            "<attribute id=\"rotational_speed\" unit=\"1 / min\">300</attribute>"
+                            "<attribute id=\"defines_speed\">true</attribute>");
+  f.relations += stage("20", "7", "6") + on("s6", "6") + on("s1", "7");
+  const Json stages = read(f.text()).tables["stage"];
+  ASSERT_EQ(stages.size(), 2u);
+  EXPECT_EQ(stages[0]["gears"][0]["teeth"], 20);
+  EXPECT_EQ(stages[0]["speed_rpm"], 300.0);
+  const Json& set = stages[1]["planetary"];
+  EXPECT_EQ(set["ring"], -66);
+  EXPECT_EQ(set["fixed"], "ring");
+  EXPECT_EQ(set["input"], "sun");
+  EXPECT_EQ(set["output"], "carrier");
+  EXPECT_FALSE(set.contains("speed_rpm"));
+}
+
 TEST(Rexs, WhatIsNotReadIsNamed) {
   const auto with = [](const std::string& gears, const std::string& relations) {
     SetFile f;
@@ -176,12 +195,12 @@ TEST(Rexs, WhatIsNotReadIsNamed) {
     f.relations += relations;
     return rexs_refusal(f.text());
   };
-  // The files have a second sun on the shaft of the first, a stage in front of the set, and a sun
-  // that meshes with both gears of a stepped planet.
+  // The files have a second sun on the shaft of the first, a stage in front of the set whose first
+  // gear has no shaft, and a sun that meshes with both gears of a stepped planet.
   EXPECT_NE(with(gear("6", 20), stage("20", "6", "2") + on("s1", "6")).find("gear \"g6\""),
             std::string::npos);
   EXPECT_NE(with(gear("6", 20) + gear("7", 40), stage("20", "6", "7") + on("s1", "7"))
-                .find("stage cylindrical_stage 20 cannot be read"),
+                .find("the 2 stages do not form a chain"),
             std::string::npos);
   EXPECT_NE(with(gear("6", 25), stage("20", "1", "6") + on("s2", "6")).find("gear \"g1\""),
             std::string::npos);

@@ -28,6 +28,41 @@ class Meshes(unittest.TestCase):
                     compared += 1
         self.assertGreaterEqual(compared, 12)
 
+    def test_the_contact_of_a_mesh_is_that_of_its_spec(self):
+        """With errors of mounting, or with the verb `run`, every mesh has the record of the verb `contact`."""
+        errors = "\n[errors]\ncrossing_deg = 0.01\naxial_mm = 0.1\n[contact]\npositions = 16\npattern = true\n"
+        for name in ("two_stage_gearbox", "ravigneaux", "wind_turbine_stage"):
+            text = (SOURCE / f"examples/drives/{name}.toml").read_text() + errors
+            meshes = Run("drive", text, "--json").json["drive"]["meshes"]
+            for number, mesh in enumerate(meshes.values(), 1):
+                with self.subTest(example=name, mesh=number):
+                    pair = Run("drive", text, "--take", str(number))
+                    alone = Run("contact", pair.out, "--json")
+                    self.assertEqual(alone.status, 0, alone.err)
+                    self.assertGreater(mesh["contact"]["peak_to_peak_arcsec"], 0)
+                    self.assertEqual(mesh["contact"], alone.json["contact"])
+        self.assertIn("Tooth contact", Run("drive", SET + errors).out)
+        self.assertNotIn("contact", Run("drive", SET, "--json").json["drive"]["meshes"]["sun_planet"])
+        made = Run("run", SET, "--json", "--out", "made").json["drive"]["meshes"]
+        alone = Run("contact", Run("drive", SET, "--take", "1").out, "--json").json
+        self.assertEqual(made["sun_planet"]["contact"], alone["contact"])
+
+    def test_an_idler_has_two_places(self):
+        """The other place has the same ratio and backlash, but another force on the pin of the idler."""
+        sides = [Run("drive", "[planetary]\nsun = 26\nidler = 17\nplanet = 17\nring = 80\nplanets = 3\n"
+                     f"normal_module_mm = 2\ntorque_Nm = 50\nidler_side = '{side}'\n", "--json").json["drive"]
+                 for side in ("counter_clockwise", "clockwise")]
+        for key in ("ratio", "backlash"):
+            self.assertEqual(sides[0][key], sides[1][key])
+        for key in ("positions", "neighbour_clearance_mm"):
+            self.assertAlmostEqual(sides[0]["assembly"][key], sides[1]["assembly"][key], 9)
+        force = [side["bodies"]["idler"]["radial_force_N"] for side in sides]
+        self.assertGreater(force[0], 1.2 * force[1])
+        for text in (SET, SET.replace("[planetary]", "[planetary]\nidler_side = 'counter_clockwise'")):
+            self.assertEqual(Run("drive", text, "--json").status, 0)
+        wrong = Run("drive", SET + "idler_side = 'clockwise'\n", "--json")
+        self.assertEqual(wrong.json["error"]["key"], "planetary.idler_side")
+
     def test_a_mesh_carries_its_torque(self):
         """Three planets share the torque of the sun. The tooth forces of a planet in its meshes with the
         sun and with the ring are equal."""
@@ -281,14 +316,15 @@ class DoubleHelical(unittest.TestCase):
         for table in ("[load]", "[errors]", "[gear2.double_helical]"):
             self.assertIn(table, spec)
         # The transmission error of the drive is computed for the whole gears, not for one half. The input
-        # turns counter-clockwise, so its working flanks are the non-working flanks of the verb contact.
+        # turns counter-clockwise, so the spec describes the gears as seen from the other face.
+        self.assertIn("as seen from the other face", " ".join(spec.replace("\n# ", " ").split()))
         drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
         contact = Run("contact", spec, "--json").json["contact"]
         askew = stage.replace("crossing_deg = 0.004", "crossing_deg = 0.1")
         self.assertIn("edge_contact", [f["code"] for f in Run("drive", askew, "--json").json["verdict"]["findings"]])
-        self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)
+        self.assertAlmostEqual(drive, contact["peak_to_peak_arcsec"], 8)
         for half in contact["halves"]:
-            self.assertGreater(half["non_working_flank"]["peak_to_peak_arcsec"], 1.1 * drive)
+            self.assertGreater(half["peak_to_peak_arcsec"], 1.1 * drive)
         draft = spec.replace("[load]\n", '[load]\naccuracy = "draft"\npositions = 4\n').replace("positions = 256", "positions = 8")
         run = Run("run", draft, "--only", "result,report", "--out", "o")
         self.assertEqual(run.status, 0, run.err)

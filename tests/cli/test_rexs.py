@@ -41,6 +41,22 @@ profile_shift = [0.3, 0.1]
 """
 
 
+PAIR = "[[stage]]\nteeth = [20, 61]\nnormal_module_mm = 2\nthickness_allowance_mm = -0.04\n"
+HELICAL_SET = """
+[[stage]]
+normal_module_mm = 2.5
+helix_angle_deg = 12
+face_width_mm = 24
+planetary = { sun = 20, planet = 25, ring = 70, planets = 3 }
+"""
+OTHER_SET = """
+[[stage]]
+normal_module_mm = 3
+planetary = { sun = 18, planet = 24, ring = 66, planets = 4, fixed = "carrier", output = "ring" }
+"""
+LOAD = "torque_Nm = 40\nspeed_rpm = 900\n"
+
+
 def numbers(tree, path=""):
     """Returns every number of a tree with its path."""
     if isinstance(tree, dict):
@@ -81,6 +97,20 @@ class Rexs(unittest.TestCase):
                 one, two = (numbers(json.loads(raw("drive", str(f), "--json").stdout)["drive"]) for f in (source, made))
                 self.same_numbers(one, two)
 
+    def test_trains_with_planetary_sets_read_back(self):
+        """A set may be before, after or between other stages, and several sets may follow each other."""
+        with tempfile.TemporaryDirectory() as folder:
+            for first, *others in ((PAIR, HELICAL_SET), (HELICAL_SET, PAIR), (OTHER_SET, HELICAL_SET),
+                                   (PAIR, OTHER_SET, PAIR), (HELICAL_SET, HELICAL_SET, OTHER_SET)):
+                source = Path(folder) / "drive.toml"
+                source.write_text(first + LOAD + "".join(others))
+                made = self.exported(source, folder)
+                one, two = (json.loads(raw("drive", str(f), "--json").stdout)["drive"] for f in (source, made))
+                self.assertEqual(one["ratio_exact"], two["ratio_exact"])
+                self.assertEqual(list(one["bodies"]), list(two["bodies"]))
+                self.assertEqual(len(one["stages"]), 1 + len(others))
+                self.same_numbers(numbers(one), numbers(two))
+
     def test_the_examples_of_drives_read_back(self):
         """The members, the held members, the inputs, the output and the load are those of the exported drive."""
         with tempfile.TemporaryDirectory() as folder:
@@ -116,11 +146,14 @@ class Rexs(unittest.TestCase):
     def test_an_export_states_that_it_cannot_be_read_back(self):
         with tempfile.TemporaryDirectory() as folder:
             source = Path(folder) / "drive.toml"
-            source.write_text("[[stage]]\nteeth = [20, 61]\nnormal_module_mm = 2\n[[stage]]\nnormal_module_mm = 2\n"
-                              "planetary = { sun = 20, planet = 25, ring = 70, planets = 3 }\n")
+            bodies = "".join(f"[[drive.body]]\nname = '{name}'\n" for name in "abc")
+            gears = "".join(f"[[drive.gear]]\nname = 'g{name}'\nbody = '{name}'\nteeth = {z}\n"
+                            "normal_module_mm = 2\n" for name, z in (("a", 20), ("b", 40), ("c", 50)))
+            meshes = "".join(f"[[drive.mesh]]\ngears = ['ga', 'g{name}']\n" for name in "bc")
+            source.write_text("[drive]\ninput = 'a'\noutput = 'b'\n" + bodies + gears + meshes)
             path = Path(folder) / "made.rexs"
             run = raw("export", str(source), "--rexs", str(path))
-            self.assertIn("Gearwright cannot read it: stage", " ".join(run.stdout.split()))
+            self.assertIn("Gearwright cannot read it: the 2 stages do not form a chain", " ".join(run.stdout.split()))
             self.assertEqual(raw("import", str(path)).returncode, 1)
 
     def test_json_has_the_content_of_xml(self):

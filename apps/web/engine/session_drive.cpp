@@ -83,7 +83,7 @@ Result<Json> Session::drive_figures(double width) const {
 }
 
 Result<Json> Session::drive_load_figures(double width) const {
-  const auto job = solve_whole_drive(job_.spec, nullptr, RateMeshes::no);
+  const auto job = solve_whole_drive(job_.spec, {Wanted::no, Wanted::no});
   if (!job) return job.error();
   Json figures = Json::array();
   for (Figure& figure : gearwright::drive_load_figures(job->drive))

@@ -21,7 +21,7 @@ std::optional<FileKind> kind_of(std::string_view word) {
 }
 
 Result<Json> drive_file(const JobSpec& spec, const std::string& kind) {
-  const auto drive = solve_whole_drive(spec);
+  const auto drive = solve_whole_drive(spec, {.contact = Wanted::no});
   if (!drive) return drive.error();
   FileOptions options;
   options.only = {kind};
