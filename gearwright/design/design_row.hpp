@@ -45,7 +45,8 @@ struct DesignRow {
   /// η if gear 1 drives. Absent if it was not requested, if the contact ratio is below 1, or if
   /// gear 1 cannot drive.
   std::optional<double> efficiency{};
-  std::optional<double> noise{};  ///< µm: design/design_objectives.hpp; absent if not rated
+  std::optional<double> noise{};         ///< µm: design/design_objectives.hpp; absent if not rated
+  std::optional<double> loaded_noise{};  ///< µm: job/loaded_designs.hpp; absent if not computed
   /// S_H and S_F of each gear. Absent if they were not requested, or if the standard has no form
   /// factor for the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
