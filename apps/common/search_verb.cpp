@@ -76,6 +76,8 @@ std::string progress_text(const SearchProgress& p, double seconds) {
       return fmt::format(
           "no design is feasible; the search for the smallest change that helps has done {} trials",
           p.done);
+    case SearchProgress::Stage::loads:
+      return fmt::format("{} of {} designs are computed under load", p.done, p.of);
     case SearchProgress::Stage::regions:
       return fmt::format("the regions of {} of {} designs are computed", p.done, p.of);
     case SearchProgress::Stage::trials: break;
@@ -162,6 +164,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   // design contains no region. A table contains the regions of its rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
+  options.folder = text->folder;
   options.chunk = c.chunk;
   options.threads = threads_of(c, together);
   options.stop = &stop_wanted;

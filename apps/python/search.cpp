@@ -49,7 +49,8 @@ struct Found {
 using FoundPtr = std::shared_ptr<const Found>;
 
 // The names of SearchProgress::Stage, in the order of the enumerators.
-constexpr std::array kStages{"candidates", "changes that would help", "regions"};
+constexpr std::array kStages{"candidates", "changes that would help", "designs under load",
+                             "regions"};
 
 FoundPtr search(const py::object& given, const std::optional<long long>& top, int threads,
                 const py::object& progress, const py::object& out, bool resume, bool yes_large) {
@@ -64,6 +65,7 @@ FoundPtr search(const py::object& given, const std::optional<long long>& top, in
   options.out = path_or_none(out, "out").value_or("");
   options.resume = resume;
   options.yes_large = yes_large;
+  options.folder = found->text.folder;
   if (top) options.top = static_cast<std::size_t>(*top);
   options.threads = threads;
   options.stop = &watched.stop;

@@ -158,6 +158,7 @@ const Quantities<FoundCorrection>& correction_quantities() {
   using C = FoundCorrection;
   return define("compensate.corrections", [](Quantities<C>& q) {
     q.text("key", "key of the correction, as in the spec", &C::key);
+    q.text("words", "correction in words", &C::words);
     q.number("value", "value", "", "in the unit of the correction", &C::value);
     q.text("unit", "unit of the value, spelled as in keys", &C::unit);
     q.text("spec_key", "key that contains the correction in the corrected spec", &C::spec_key);

@@ -285,6 +285,15 @@ void add_ranks(Quantities<DesignView>& q) {
       .column("noise_um")
       .when([](const DesignView& v) { return v.problem->ranks_by(Objective::noise); })
       .digits(kFewDigits);
+  q.number("loaded_noise_um", "loaded transmission error, peak to peak", "δ_load",
+           "along the line of action, as computed by the verb `load` for the spec of the design, "
+           "under the torque of `[load]` (the greatest value of several torques) or of `[rating]`; "
+           "null for all designs except the first `loaded_designs`, and if a position has no "
+           "result; only with `objective` = `noise`",
+           [](const DesignView& v) { return v.row->loaded_noise; })
+      .column("loaded_noise_um")
+      .when([](const DesignView& v) { return v.problem->loads_designs(); })
+      .digits(kFewDigits);
 }
 
 void add_design(Quantities<DesignView>& q) {

@@ -397,6 +397,13 @@ std::vector<Key> design_keys() {
                       .noun = "objective",
                       .meant = objective_called})
           .with_fields({"objectives"}),
+      Key::number("loaded_designs", "", KeyRange::between(0, 1000), &SearchProblem::loaded_designs,
+                  "10",
+                  "for `objective` = `noise`, number of the best designs by the estimate whose "
+                  "transmission error under load is computed as by `load`, in about 3 s each; if "
+                  "`noise` is the first criterion, these designs are then sorted by it. 0 computes "
+                  "none")
+          .with_needs({"objective"}),
       Key::number("target_ratio", "", {}, &SearchProblem::target_ratio,
                   "the middle of the band `ratio`", "target of the objective `ratio`"),
       Key::number("friction_coefficient", "μ", friction_range(), &SearchProblem::friction,

@@ -47,6 +47,7 @@ struct DesignRow {
   std::optional<double> efficiency{};
   std::optional<double> noise{};  ///< µm: design/design_objectives.hpp; absent if not rated, or if
                                   ///< the teeth lose contact
+  std::optional<double> loaded_noise{};  ///< µm: job/loaded_designs.hpp; absent if not computed
   /// S_H and S_F of each gear. Absent if they were not requested, or if the standard has no form
   /// factor for the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};

@@ -206,8 +206,9 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
 
 DesignRow Search::whole(const DesignRow& row) const {
   if (row.whole) return row;
-  const auto found = design_row(graph(row.trial));
+  auto found = design_row(graph(row.trial));
   GW_ENSURES(found && found->shift == row.shift);
+  found->loaded_noise = row.loaded_noise;
   return *found;
 }
 

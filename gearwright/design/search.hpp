@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -90,14 +91,24 @@ class Search {
   mutable std::map<std::tuple<int, int, Angle>, std::shared_ptr<const TrialGears>> tables_;
 };
 
+/// The transmission error under load of one design of a result (job/loaded_designs.hpp).
+struct LoadedDesign {
+  Trial trial;
+  std::optional<double> noise{};  ///< µm, peak to peak along the line of action
+  std::string reason{};           ///< reason why there is no value; otherwise empty
+};
+
 /// The result of a search. Designs are sorted by the first objective, the best first. If there are
-/// several objectives, the designs of the Pareto front come before all others.
+/// several objectives, the designs of the Pareto front come before all others. If the first
+/// objective is the noise, the designs in `loaded` are sorted by their transmission error under
+/// load instead of the estimate.
 struct SearchAnswer {
   SearchAnswer() = default;  ///< empty; prevents aggregate initialisation
   SearchCounts counts;
   std::vector<DesignRow> designs;
-  std::vector<std::size_t> pareto;  ///< indices of the Pareto front in `designs`
-  bool cut = false;                 ///< true if some feasible designs are missing in `designs`
+  std::vector<std::size_t> pareto;   ///< indices of the Pareto front in `designs`
+  bool cut = false;                  ///< true if some feasible designs are missing in `designs`
+  std::vector<LoadedDesign> loaded;  ///< computed for the best designs, if requested
 };
 /// Receives any number of designs and keeps only the best ones and the Pareto front.
 class BestDesigns {

@@ -192,6 +192,8 @@ struct SearchProblem {
   std::optional<double> friction;  ///< μ of the flanks, for the efficiency of every design
   double cost_exponent = 0.5;      ///< exponent of b/d_1 for the objective `cost`
   std::vector<Objective> objectives{Objective::contact_ratio};
+  int loaded_designs = 10;  ///< number of the best designs whose transmission error under load is
+                            ///< computed (job/loaded_designs.hpp), if a search ranks by noise
   std::optional<double> shift_step;  ///< step of the grid of shifts, if its points are requested
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
   std::optional<SearchRating> rating;                           ///< absent if designs are not rated
@@ -234,6 +236,8 @@ struct SearchProblem {
   std::optional<double> flank_friction() const {
     return friction || !ranks_by(Objective::efficiency) ? friction : kUsualFriction;
   }
+  /// True if the transmission error under load of the best designs must be computed.
+  bool loads_designs() const { return loaded_designs > 0 && ranks_by(Objective::noise); }
   bool ranks_by(Objective objective) const {
     return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
   }

@@ -300,8 +300,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the outside diameter of the rim of an internal gear is not given, so the verb `load` holds "
      "the gear at the default diameter, which its CAD files also have"},
     {C::no_load, "no_load", kNote,
-     "an analysis under load cannot be computed for these gears (verb `run`); the message gives "
-     "the reason"},
+     "an analysis under load cannot be computed for these gears (verb `run` or verb `search`); the "
+     "message gives the reason"},
     {C::stiffness_differs, "stiffness_differs", kNote,
      "the mesh stiffness differs from c_γα of ISO 6336-1 (verb `load`); the message gives the "
      "reasons"},

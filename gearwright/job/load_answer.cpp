@@ -82,10 +82,10 @@ std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadReg
   std::string out;
   const UnitSystem units = job.spec.units();
   if (regime == LoadRegime::line)
-    out += fmt::format("  {:<42}{} {}\n", "Peak to peak along the line of action",
-                       text_in(units, Unit::um,
-                               torque.peak_to_peak.rad() * job.gear(2).base_radius() * kUmPerMm, 3),
-                       unit_text(units, Unit::um));
+    out += fmt::format(
+        "  {:<42}{} {}\n", "Peak to peak along the line of action",
+        text_in(units, Unit::um, peak_to_peak_on_line(torque, job.gear(2)) * kUmPerMm, 3),
+        unit_text(units, Unit::um));
   std::vector<std::string> waves;
   for (std::size_t k = 0; k < std::min<std::size_t>(5, torque.harmonics.size()); ++k)
     waves.push_back(fixed_decimals(torque.harmonics[k].arcsec(), 4));

@@ -216,6 +216,7 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options) {
     quick.top = options.top;
     quick.regions = 0;
     quick.threads = options.threads;
+    quick.folder = options.folder;
     const auto found = run_search(spec, search, quick);
     if (!found) return found.error();
     for (const DesignRow& row : found->answer.designs)

@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/loaded_designs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -110,6 +111,8 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (problem.rating_unused) lines.emplace_back(kRatingUnused);
   if (problem.draw)
     lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
+  if (!run.answer.loaded.empty()) lines.push_back(loaded_line(problem, run.answer));
+  for (const std::string& line : load_failures(run.answer)) lines.push_back(line);
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
   if (!run.changes.empty())
@@ -142,8 +145,8 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
-// Tables of the spec that apply to a pair. A search does not use these tables, but copies them to
-// the specs of its designs.
+// Tables of the spec that apply to a pair. A search copies these tables to the specs of its designs,
+// and uses them only for the transmission error under load (job/loaded_designs.hpp).
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
 // Removes the rounding error of a pitch that was computed from a module: 25.4/(25.4/3) becomes 3.
@@ -219,6 +222,7 @@ std::vector<Warning> search_warnings(const SearchRun& run) {
                      "designs. Use --top N for fewer designs.",
                      kMaxBoundaries));
   }
+  for (const std::string& line : load_failures(a)) warn(WarningCode::no_load, line);
   if (!run.changes_left_out.empty())
     warn(WarningCode::changes_left_out, run.changes_left_out + ".");
   return warnings;
@@ -341,6 +345,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
                                                 "balance",
                                                 "relative_cost",
                                                 "noise_um",
+                                                "loaded_noise_um",
                                                 "area",
                                                 "interference"}))
     columns.push_back(std::move(column));

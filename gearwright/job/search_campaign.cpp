@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gearwright/base/system.hpp"
+#include "gearwright/job/loaded_designs.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/store/chunk_store.hpp"
@@ -80,13 +81,15 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
   run.chunks_done = run.chunks - static_cast<std::int64_t>(missing.size());
   if (!ours || !missing.empty()) return run;
 
-  BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
+  BestDesigns best(search.problem(),
+                   designs_to_keep(search.problem(), options.top.value_or(kDefaultDesigns)));
   const auto finds_of = [&](std::int64_t c) {
     return unpack(store.get(c), fmt::format("chunk {} in {}", c, native_text(options.out)));
   };
   for (std::int64_t c = 0; c < run.chunks; ++c)
     for (const DesignRow& row : finds_of(c).designs) best.add(row);
   run.answer = std::move(best).answer(as_search(store.totals()));
+  if (!load_designs(spec, search, options, run)) return run;
   if (!look_for_changes(search, options, run)) return run;
   run.finished = true;
   std::int64_t at = 0;

@@ -1,6 +1,8 @@
 #include "gearwright/job/search_files.hpp"
 
 #include <fmt/format.h>
+
+#include <map>
 #include <set>
 
 #include "gearwright/base/output_file.hpp"
@@ -33,9 +35,9 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
 
 TableColumns<DesignView> design_columns(const SearchProblem& problem) {
   // Columns that exist only for some problems.
-  const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H",
-                                            "S_F",         "mass_kg",       "efficiency",
-                                            "balance",     "relative_cost", "noise_um"};
+  const std::set<std::string_view> optional{
+      "backlash_mm", "face_width_mm", "S_H",           "S_F",      "mass_kg",
+      "efficiency",  "balance",       "relative_cost", "noise_um", "loaded_noise_um"};
   const DesignRow any;
   std::vector<std::string_view> without;
   const Quantities<DesignView>& quantities = design_quantities();
@@ -53,9 +55,13 @@ namespace {
 constexpr std::size_t kCsvDesigns = 1000;
 
 // Writes both tables in one pass over the designs. The second table exists only if the spec
-// requests a grid of profile shifts.
+// requests a grid of profile shifts. The source contains no transmission errors under load, which
+// are in `loaded`.
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
-                  const JobSpec& spec, const Search& search, const FindSource& source) {
+                  const JobSpec& spec, const Search& search,
+                  const std::vector<LoadedDesign>& loaded, const FindSource& source) {
+  std::map<std::int64_t, std::optional<double>> noises;
+  for (const LoadedDesign& design : loaded) noises.emplace(design.trial.index, design.noise);
   std::string limits;
   for (const Limit limit : search.problem().rejecting_limits())
     limits += fmt::format("{}{}", limits.empty() ? "" : ", ", name(limit));
@@ -69,7 +75,11 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
     const auto each = [&](const auto& also) {
       ChunkFinds finds;
       while (source(finds)) {
-        for (const DesignRow& row : finds.designs) table.add({&search.problem(), &row});
+        for (DesignRow& row : finds.designs) {
+          if (const auto noise = noises.find(row.trial.index); noise != noises.end())
+            row.loaded_noise = noise->second;
+          table.add({&search.problem(), &row});
+        }
         also(finds);
       }
     };
@@ -115,7 +125,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
   make_folder(folder);
   std::vector<std::filesystem::path> files{folder / kDesignsFile};
   if (search.problem().shift_step) files.push_back(folder / "points.parquet");
-  write_tables(files.front(), files.back(), spec, search, source);
+  write_tables(files.front(), files.back(), spec, search, run.answer.loaded, source);
   const auto write = [&](const char* name, const std::string& text) {
     files.push_back(folder / name);
     write_file(files.back(), text);

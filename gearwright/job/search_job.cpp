@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "gearwright/base/version.hpp"
+#include "gearwright/job/loaded_designs.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/spec/json.hpp"
@@ -42,7 +43,8 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
-  BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
+  BestDesigns best(search.problem(),
+                   designs_to_keep(search.problem(), options.top.value_or(kDefaultDesigns)));
   SearchCounts counts;
   std::map<std::int64_t, ChunkFinds> all;  // filled only if files are written
   std::mutex mutex;
@@ -57,6 +59,7 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   run.stopped = workers.stopped();
   if (run.stopped) return run;
   run.answer = std::move(best).answer(counts);
+  if (!load_designs(spec, search, options, run)) return run;
   if (!complete_regions(search, options, run)) return run;
   if (!look_for_changes(search, options, run)) return run;
   run.finished = true;
@@ -103,6 +106,7 @@ std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
   std::string lines;
   std::vector<std::string> tables{"search", "gear1", "gear2"};
   if (spec.search && spec.search->rating) tables.emplace_back("rating");
+  if (spec.search && spec.search->loads_designs()) tables.insert(tables.end(), {"errors", "load"});
   tables.insert(tables.end(), more.begin(), more.end());
   for (const std::string& table : tables)
     if (tree.contains(table)) flatten(tree[table], table, lines);

@@ -59,6 +59,10 @@ std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions) {
   return harmonics(te);
 }
 
+double peak_to_peak_on_line(const LoadedTorque& torque, const Gear& gear_2) {
+  return torque.peak_to_peak.rad() * gear_2.base_radius();
+}
+
 double share_of(const LoadedPosition& p, int pair) {
   double sum = 0.0;
   for (const LoadedPair& k : p.pairs)

@@ -35,6 +35,12 @@ void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 /// Domain    solved positions, evenly spaced over one pitch
 std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
 
+/// Returns the peak-to-peak transmission error under load along the line of action, mm. It is the
+/// rotation of gear 2 times r_b2.
+///
+/// Domain    LoadRegime::line
+double peak_to_peak_on_line(const LoadedTorque& torque, const Gear& gear_2);
+
 /// Returns the load share of a tooth pair at one position, summed over the places where it touches.
 double share_of(const LoadedPosition& position, int pair);
 

@@ -173,10 +173,10 @@ std::string included(const SearchProblem& problem) {
     return "Manufacturing deviations, load and strength are not considered.";
   std::string text = "Load and strength are not considered.";
   if (problem.rating) {
-    text =
-        fmt::format("Strength is rated by {}. Load is considered only in this rating{}.",
-                    name(problem.rating->input.edition),
-                    problem.ranks_by(Objective::noise) ? " and in the estimate of the noise" : "");
+    text = fmt::format(
+        "Strength is rated by {}. Load is considered only in this rating{}.",
+        name(problem.rating->input.edition),
+        problem.ranks_by(Objective::noise) ? " and in the transmission error under load" : "");
   }
   if (with.empty()) return text + " The geometry includes no manufacturing deviations.";
   return text +

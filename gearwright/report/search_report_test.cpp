@@ -121,7 +121,7 @@ TEST(SearchReport, FootStatesWhatTheNumbersInclude) {
       EXPECT_EQ(has(page, symbol_html("S_H1")), rated);
       EXPECT_EQ(has(page,
                     "Strength is rated by ISO 6336:2006. Load is considered only in this rating "
-                    "and in the estimate of the noise."),
+                    "and in the transmission error under load."),
                 rated);
       EXPECT_EQ(has(page, "the ends of the tolerances of the tooth thicknesses, and"), toleranced);
       EXPECT_EQ(has(page, "includes no manufacturing deviations."), rated && !toleranced);

@@ -52,6 +52,7 @@ constexpr Entry kEntries[] = {
     {"balance", {}},
     {"relative_cost", {}},
     {"noise_um", {}},
+    {"loaded_noise_um", {}},
     {"area", "size of the region of profile shifts within the limits, in modules²"}};
 
 struct Column {

@@ -176,6 +176,8 @@ void read_limits(TableReader& t, SearchProblem& p) {
 }
 
 void check_objectives(const TableReader& t, const SearchProblem& p) {
+  if (t.given("loaded_designs") && p.loaded_designs > 0 && !p.ranks_by(Objective::noise))
+    t.fail("loaded_designs", "needs `noise` in `objective`; leave out this key, or set it to 0");
   if (!p.crossed()) return;
   for (const Objective objective : p.objectives) {
     if (objective == Objective::sliding)

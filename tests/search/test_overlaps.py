@@ -57,7 +57,7 @@ class WholeOverlaps(unittest.TestCase):
 
     def test_rated_designs(self):
         text = spec(KEYS | {"modules_mm": [2], "overlap_ratio": 1, "safety_flank_min": 1.6, "safety_root_min": 1.4,
-                            "objective": "noise"}, RATED)
+                            "objective": "noise", "loaded_designs": 0}, RATED)
         found = search(text)
         self.assertGreater(found["feasible_count"], 0)
         self.assertGreater(found["rejected"]["safety_flank"], 0)

@@ -5,6 +5,7 @@
 
 #include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/stopwatch.hpp"
+#include "gearwright/job/loaded_designs.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_workers.hpp"
@@ -20,6 +21,9 @@ constexpr std::int64_t kFirstPart = 1 << 12;
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
 constexpr double kPartMs = 8.0;
 
+// For the progress, a design under load counts as this number of trials.
+constexpr std::int64_t kTrialsPerLoad = 100'000;
+
 }  // namespace
 
 SearchSession::SearchSession(SpecText text, JobSpec spec, std::size_t most)
@@ -28,7 +32,8 @@ SearchSession::SearchSession(SpecText text, JobSpec spec, std::size_t most)
       search_(*spec_.search),
       trials_(search_.space().size().value_or(0)),
       size_(kFirstPart),
-      best_(search_.problem(), most) {}
+      top_(most),
+      best_(search_.problem(), designs_to_keep(search_.problem(), most)) {}
 
 Result<std::shared_ptr<SearchSession>> SearchSession::open(std::string given, int most) {
   SpecText text = spec_text(std::move(given));
@@ -57,11 +62,20 @@ void SearchSession::search_some() {
   from_ = to;
   if (from_ < trials_) return;
   run_.answer = std::move(best_).answer(counts_);
-  stage_ = Stage::regions;
+  stage_ = Stage::loads;
 }
 
 void SearchSession::close_some() {
   auto& designs = run_.answer.designs;
+  if (stage_ == Stage::loads) {
+    if (loaded_.size() < designs_to_load(search_.problem(), run_.answer)) {
+      loaded_.push_back(loaded_design(spec_, search_, designs[loaded_.size()], {}));
+      return;
+    }
+    rank_loaded(search_.problem(), loaded_, top_, run_.answer);
+    stage_ = Stage::regions;
+    return;
+  }
   if (stage_ == Stage::regions && region_ < designs.size()) {
     if (!designs[region_].whole) designs[region_] = search_.whole(designs[region_]);
     ++region_;
@@ -86,7 +100,12 @@ Steps SearchSession::step(double milliseconds) {
     }
   }
   const auto regions = static_cast<std::int64_t>(run_.answer.designs.size());
-  return {from_ + static_cast<std::int64_t>(region_), trials_ + regions, finished()};
+  const auto loaded = static_cast<std::int64_t>(loaded_.size()) * kTrialsPerLoad;
+  const auto loads =
+      std::max(loaded, static_cast<std::int64_t>(designs_to_load(search_.problem(), run_.answer)) *
+                           kTrialsPerLoad);
+  return {from_ + loaded + static_cast<std::int64_t>(region_), trials_ + loads + regions,
+          finished()};
 }
 
 Json SearchSession::result() const {

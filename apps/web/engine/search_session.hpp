@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/web/engine/work.hpp"
 #include "gearwright/job/search_job.hpp"
@@ -31,15 +32,17 @@ class SearchSession {
   void search_some();
   void close_some();
 
-  enum class Stage { trials, regions, changes, done };
+  enum class Stage { trials, loads, regions, changes, done };
   SpecText text_;
   JobSpec spec_;
   Search search_;
   std::int64_t trials_, from_ = 0, size_;
+  std::size_t top_;  // greatest number of designs of the answer
   std::size_t region_ = 0;
   Stage stage_ = Stage::trials;
   SearchCounts counts_;
   BestDesigns best_;
+  std::vector<LoadedDesign> loaded_;
   SearchRun run_;
 };
 

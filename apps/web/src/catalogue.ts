@@ -20,6 +20,12 @@ export function inputKey(table: string, key: string): InputKey | undefined {
   return inputs(table)?.keys.find((one) => one.key === key);
 }
 
+/** Returns the unit that a key with this suffix has, as users read it: "µm" for "um". */
+export function unitOfSuffix(suffix: string): string {
+  const keys = whole.inputs.flatMap((table) => table.keys);
+  return keys.find((key) => key.suffix === suffix)?.unit ?? suffix;
+}
+
 export function materials(): NamedMaterial[] {
   return whole.materials;
 }

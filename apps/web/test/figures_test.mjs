@@ -92,6 +92,10 @@ describe("figures", () => {
       .locator("#room-contact [data-correction]")
       .evaluateAll((rows) => rows.map((row) => row.dataset.correction));
     assert.deepEqual(keys, expected.corrections.map((one) => one.key));
+    const words = await page.locator("#room-contact [data-correction] th").allTextContents();
+    assert.deepEqual(words, expected.corrections.map((one) => one.words));
+    const first = await page.locator("#room-contact [data-correction] td").first().textContent();
+    assert.match(first, / µm$/);
     await page.click('#room-contact button[aria-label="take the corrections"]');
     const { right_lead_slope_um } = expected.spec.gear1.modifications;
     assert.ok(Number.isFinite(right_lead_slope_um));

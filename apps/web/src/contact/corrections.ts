@@ -1,7 +1,7 @@
 // Corrections of the flanks for the errors of the pair. The engine searches for them on request. A click replaces
 // the design by the corrected spec.
 
-import { quantity } from "../catalogue";
+import { quantity, unitOfSuffix } from "../catalogue";
 import { h, tableOf } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
@@ -24,8 +24,8 @@ export class Corrections extends Requested {
       h(
         "tr",
         { "data-correction": String(one["key"]) },
-        h("th", {}, String(one["key"])),
-        h("td", {}, `${Number(Number(one["value"]).toPrecision(6))} ${one["unit"]}`),
+        h("th", {}, String(one["words"])),
+        h("td", {}, `${Number(Number(one["value"]).toPrecision(6))} ${unitOfSuffix(String(one["unit"]))}`),
         h("td", {}, one["at_bound"] ? "at the end of the searched range" : ""),
       ),
     );

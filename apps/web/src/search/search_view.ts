@@ -170,7 +170,7 @@ export class SearchView implements Tab {
         if (this.running !== text) return;
         this.bar.value = of ? done / of : 0;
         const best = typeof sofar === "string" && sofar ? (JSON.parse(sofar) as Design[]) : [];
-        this.status.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates have been tested.`;
+        this.status.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the search is done.`;
         if (best.length) this.list(best, [], text);
       });
       if (!found || this.running !== text) return;
