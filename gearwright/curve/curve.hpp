@@ -92,7 +92,7 @@ struct LogSlopes {
 ///
 ///     Plane<T> point()      T tangent_angle()      T curvature()
 ///
-/// Each member computes only what it needs. A member `T polar_angle()` replaces the argument of the
+/// A member computes only its own terms. A member `T polar_angle()` replaces the argument of the
 /// point. The jet of a flank in contact also has the members of which polar_jet() makes a PolarJet.
 template <class Self>
 class JetCurve : public Curve {

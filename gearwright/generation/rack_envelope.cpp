@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

@@ -16,11 +16,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/curve/curve.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/tool/cutter_edge.hpp"
 
 namespace gearwright {
@@ -99,10 +99,8 @@ struct RackTrochoid {
   T transverse_square() const { return s * s + e.cos_beta * e.cos_beta * c * c; }
   // v of dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β). [T3.9]
   T speed() const {
-    const std::array<T, 5> coefficients = e.cusp_polynomial();
-    T f(0);
-    for (std::size_t i = coefficients.size(); i-- > 0;) f = f * s + coefficients[i];
-    return f * sqrt(transverse_square()) / (s * s * s * e.r * e.cos_beta);
+    return evaluate_polynomial<T>(e.cusp_polynomial(), s) * sqrt(transverse_square()) /
+           (s * s * s * e.r * e.cos_beta);
   }
 };
 
