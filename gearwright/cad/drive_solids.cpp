@@ -177,11 +177,7 @@ class Workpieces {
 
   SolidPose pose_of(std::size_t gear, int copy) const {
     const PlacedGear& at = placed(gear, copy);
-    Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
-    x.translate(Vec3(at.axis.x(), at.axis.y(), at.height));
-    // The z axis stays exact, so that the bodies lie between common planes.
-    x.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(at.angle).toRotationMatrix();
-    return SolidPose(x);
+    return {Vec3(at.axis.x(), at.axis.y(), at.height), about_z(at.angle)};
   }
 
   void add(const Chain& chain) {
@@ -275,11 +271,10 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     }
     const std::vector<SolidGear> gears = body.gears();
     const bool over = reach(*gears.back().body) > reach(*gears.front().body);
-    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-    place.translate(
-        Vec3(x + size / 2, y + size / 2, over ? gears.back().top() : -gears.front().bottom()));
-    if (over) place.linear().diagonal() << 1.0, -1.0, -1.0;
-    body.pose = SolidPose(place);
+    const double way = over ? -1.0 : 1.0;
+    body.pose = {
+        Vec3(x + size / 2, y + size / 2, over ? gears.back().top() : -gears.front().bottom()),
+        Mat3(Vec3(1.0, way, way).asDiagonal())};
     x += size;
     tall = std::max(tall, size);
   }

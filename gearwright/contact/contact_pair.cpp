@@ -29,9 +29,9 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
 
 // Returns two parts of the twist of a gear's teeth in the frame N: the twist of the lead, including
 // the error of the cutter's lead angle, and the twist κ of a lead error.
-std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
+std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double side) {
   const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
-  return {mirror * lead, mirror * e.helix_twist[i]};
+  return {side * lead, side * e.helix_twist[i]};
 }
 
 }  // namespace
@@ -50,25 +50,25 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const Gear& g1 = *gear_1.gear;
   const Gear& g2 = *gear_2.gear;
   GW_EXPECTS(!g1.internal() && g1.exists() && g2.exists() && g1.tooth && g2.tooth);
-  internal_ = g2.internal();
+  side_ = g2.side();
   alpha_n_ = g1.spec.normal_pressure_angle.rad();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
   ratio_ = z1 / z2;
   pitch_ = 2 * std::numbers::pi / z1;
-  rotation_sign_ = -mirror();
+  rotation_sign_ = -side();
   const auto& e = mount.errors;
   const double pi = std::numbers::pi;
   const bool right_1 = !mount.gear2_drives;
   const bool right_2 = !g2.left_flank_works(mount.gear2_drives);
   for (int i = 0; i < 2; ++i) {
     const Gear& g = i == 0 ? g1 : g2;
-    slope_unit_[i] = mirror() / (g.reference_diameter / 2 * g.spec.face_width);
+    slope_unit_[i] = side() / (g.reference_diameter / 2 * g.spec.face_width);
   }
-  add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror()), mesh_azimuth(), -mirror(), right_1);
+  add_patches(0, gear_1, twist_in_n(g1, e, 0, side()), mesh_azimuth(), -side(), right_1);
   // Gear 2 is turned by `apart` so that, at rotation 0, teeth are in mesh at the middle of face 1.
-  const double apart = mirror() * g2.twist() * (middle(2) - middle(1));
-  add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror()), pi + pi / z2 + apart, -1.0, right_2);
+  const double apart = side() * g2.twist() * (middle(2) - middle(1));
+  add_patches(1, gear_2, twist_in_n(g2, e, 1, side()), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
   // Points of gear 1 at an angle greater than reach_ from the mesh azimuth cannot touch gear 2,
   // because they lie outside the annulus of its teeth.
@@ -82,7 +82,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const double r1 = radius(patches_[0], true);
   double cosine = (a - radius(patches_[1], true)) / r1;
   double aside = 0.0;
-  if (internal_) {
+  if (side_ < 0.0) {
     // On crossed axes, the transverse sections of gear 1 are displaced sideways from axis 2. `off`
     // is the displacement at the end of the face. [T4.37]
     const double r2 = radius(patches_[1], false);
@@ -96,7 +96,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
 
 ContactPair::ContactPair(const ContactGear& pinion, const RackGeometry& rack,
                          const ContactMount& mount)
-    : place_(mount), internal_(false), ratio_(1.0), rotation_sign_(-1.0) {
+    : place_(mount), side_(1.0), ratio_(1.0), rotation_sign_(-1.0) {
   const Gear& g = *pinion.gear;
   const ContactErrors& e = mount.errors;
   GW_EXPECTS(!g.internal() && g.exists() && g.tooth);
@@ -202,10 +202,10 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
 
 void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
-  tilt_ = detail::tilt(mirror() * e.crossing.rad(), turned() * e.intersecting.rad());
+  tilt_ = detail::tilt(side() * e.crossing.rad(), turned() * e.intersecting.rad());
   // [T8.26]
   lift_.r = Vec3(0, 0, turned() * e.axial) + (tilt_ * along_1(0.0, middle(1))).v;
-  const LinearMap<Axis2, World> shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
+  const LinearMap<Axis2, World> shaft = detail::shaft_turn(side() * place_.axis_angle.rad());
   const FreeVector<World> from_axis_2{lift_.r -
                                       Vec3(place_.center_distance + e.center_distance, 0, 0)};
   relative_.rotation = shaft * tilt_;
@@ -213,7 +213,7 @@ void ContactPair::set_mount() {
 }
 
 Vec3 ContactPair::in_housing(const FreeVector<World>& v) const {
-  return {v.v.x(), turned() * mirror() * v.v.y(), turned() * v.v.z()};
+  return {v.v.x(), turned() * side() * v.v.y(), turned() * v.v.z()};
 }
 
 Vec3 ContactPair::in_housing(const Complex& w1, double z) const {

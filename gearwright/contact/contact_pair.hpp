@@ -87,7 +87,7 @@ class ContactPair {
   double ratio() const { return ratio_; }                  ///< |z1/z2|; 1 for a rack
   double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
   double rotation_sign() const { return rotation_sign_; }  ///< gear 1 in frame N; −1 is clockwise
-  double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
+  double mesh_azimuth() const { return (1.0 - side_) * std::numbers::pi / 2; }
   double reach() const { return reach_; }
   bool is_rack() const { return rack_radius_ > 0.0; }
   /// The reference radius of the pinion of a rack, mm; 0 for two gears.
@@ -109,8 +109,8 @@ class ContactPair {
   Vec3 tilted(const Vec3& direction) const;
   /// Rotates vectors from the frame of gear 1, before mounting, to the frame N.
   const LinearMap<World, Axis1>& tilt() const { return tilt_; }
-  /// σ of ContactMount: −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1.
-  double mirror() const { return internal_ ? -1.0 : 1.0; }
+  /// σ, the side of gear 2: −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1.
+  double side() const { return side_; }
   /// −1 if z in the frame N is −z in the housing, otherwise 1.
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }
   /// z of the middle of a face in the frame N, mm.
@@ -127,7 +127,7 @@ class ContactPair {
   void set_mount();
 
   ContactMount place_;
-  bool internal_;
+  double side_;
   double alpha_n_;
   double ratio_, pitch_, rotation_sign_, reach_ = 0.0, rack_radius_ = 0.0;
   std::array<std::vector<FlankPatch>, 2> patches_;

@@ -28,7 +28,7 @@ struct LaneTrack::Path {
     const Involute& involute = *one.profile.involute();
     const double r1 = involute.base_radius();
     const double r2 = twos.front().profile.involute()->base_radius();
-    const double sign = pair.mirror();
+    const double sign = pair.side();
     const double a = pair.place().center_distance + pair.place().errors.center_distance;
     const double square = a * a - (r2 + sign * r1) * (r2 + sign * r1);
     if (!(square > 0.0)) return;

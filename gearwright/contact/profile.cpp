@@ -69,8 +69,8 @@ Profile::Profile(const RackFlank& flank, double side)
 PolarJet Profile::at(double s) const {
   GW_EXPECTS(curve_ != nullptr);
   const auto jet = [&](const auto& piece) {
-    if constexpr (requires { piece.curve->polar_jet(s); }) {
-      return piece.curve->polar_jet(s).on_side(side_);
+    if constexpr (requires { piece.curve->jet(s); }) {
+      return polar_jet(piece.curve->jet(s)).on_side(side_);
     } else {
       double unused = s;
       const RadialJet r = between_ends(piece, s, unused);
@@ -84,12 +84,8 @@ PolarJet Profile::at(double s) const {
 RadialJet Profile::between_ends(const InvolutePiece& piece, double u, double&) const {
   const double ratio = std::exp(u) / piece.curve->base_radius();
   const double xi = piece.sign * std::sqrt(std::max(kMinRollSquare, (ratio - 1.0) * (ratio + 1.0)));
-  RadialJet r;
-  r.factor = Complex{1.0, side_ * xi};
-  r.phase = side_ * (piece.curve->base_half_angle() - xi);
-  r.d1 = -side_ * xi;
-  r.d2 = -side_ * (1.0 + xi * xi) / xi;
-  return r;
+  const jets::Involute<double> j = piece.curve->jet(xi);
+  return {{1.0, side_ * xi}, side_ * j.phase(), side_ * j.theta1(), side_ * j.theta2()};
 }
 
 RadialJet Profile::between_ends(const TrochoidPiece& piece, double u, double& s) const {
@@ -108,7 +104,7 @@ RadialJet Profile::between_ends(const TrochoidPiece& piece, double u, double& s)
   PolarJet j;
   double rest = 0.0;
   for (int i = 0; i < kMax; ++i) {
-    j = piece.curve->polar_jet(s);
+    j = polar_jet(piece.curve->jet(s));
     const double here = std::norm(j.factor);
     const double x = (square - here) / here;
     rest = std::abs(x) < kSmall ? x * (0.5 - x * (0.25 - x / 6.0)) : 0.5 * std::log1p(x);
@@ -170,7 +166,7 @@ TurnPerRemoval Profile::turn_per_removal(double s) const {
   const auto trochoid = [s](const TrochoidPiece& piece) {
     // k = 1/(r cos β cos τ). The rack moves along the datum line, and the component of the normal
     // along that line is cos τ cos β.
-    const PolarJet j = piece.curve->polar_jet(s);
+    const PolarJet j = polar_jet(piece.curve->jet(s));
     const double k = 1.0 / (piece.arm_per_cos * std::cos(s));
     const double t = std::tan(s);
     const double k_s = k * t;
@@ -203,11 +199,11 @@ double Profile::s_of(double u, double start) const {
     double hi = s_hi_;
     double s = std::clamp(start, lo, hi);
     for (int i = 0; i < 200; ++i) {
-      const auto [u_here, slope] = piece.curve->log_radius(s);
-      const double rest = inside - u_here;
+      const PolarJet j = polar_jet(piece.curve->jet(s));
+      const double rest = inside - 0.5 * std::log(std::norm(j.factor));
       if (std::abs(rest) <= kRounding) break;
       ((rest > 0.0) == grows_ ? lo : hi) = s;
-      double next = s + rest / slope;
+      double next = s + rest / j.d1.real();
       if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
       if (std::abs(next - s) <= kRounding * std::abs(s)) break;
       s = next;

@@ -68,12 +68,12 @@ void add_turn_of_1(Change& c, const ContactPair& pair, const GapJet& j, double q
 
 Change change_of_error(const ContactPair& pair, const GapJet& j, double z, ErrorKind error) {
   Change c;
-  const double mirror = pair.mirror();
+  const double side = pair.side();
   const double turned = pair.turned();
   const ContactErrors& e = pair.place().errors;
-  const double g = mirror * e.crossing.rad();
+  const double g = side * e.crossing.rad();
   const double d = turned * e.intersecting.rad();
-  const LinearMap<Axis2, World> shaft = detail::shaft_turn(mirror * pair.place().axis_angle.rad());
+  const LinearMap<Axis2, World> shaft = detail::shaft_turn(side * pair.place().axis_angle.rad());
   // The arm from the point about which axis 1 tilts.
   const FreeVector<Axis1> r = along_1(j.w1, z + pair.middle(1));
   const FreeVector<Axis1> r_s = along_1(j.w1_s, 0.0);
@@ -87,7 +87,7 @@ Change change_of_error(const ContactPair& pair, const GapJet& j, double z, Error
     case ErrorKind::center_distance:
       add_motion(c, j, shaft * FreeVector<World>{Vec3(-1, 0, 0)}, still, still);
       break;
-    case ErrorKind::crossing: tilted(detail::tilt_per_crossing(g, d, mirror)); break;
+    case ErrorKind::crossing: tilted(detail::tilt_per_crossing(g, d, side)); break;
     case ErrorKind::intersecting: tilted(detail::tilt_per_intersecting(g, d, turned)); break;
     case ErrorKind::axial:
       c.dr = {Vec3(0, 0, turned)};

@@ -26,7 +26,7 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
 // True if the flanks overlap beside the line of action. Such an overlap occurs for internal pairs
 // on crossed axes [T4.35]. The gap field T then has a maximum at an edge on each side of the line.
 bool is_saddle(const ContactPair& pair) {
-  return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
+  return pair.side() < 0.0 && pair.place().axis_angle != Angle();
 }
 
 // True if the teeth of a ring extend beyond the point at which the line of action touches the base
@@ -35,7 +35,7 @@ bool is_saddle(const ContactPair& pair) {
 bool reaches_beyond_action(const ContactPair& pair) {
   const Involute* one = pair.patches(1).front().profile.involute();
   const Involute* two = pair.patches(2).front().profile.involute();
-  if (pair.mirror() > 0.0 || !one || !two) return false;
+  if (pair.side() > 0.0 || !one || !two) return false;
   double tip = kInfinity;
   for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -68,17 +68,17 @@ double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch
   const double hi = std::exp(one.u_hi);
   double least = 1.0;
   const auto take = [&](double rho1) {
-    const double rho2 = std::exp(pair.mirror() < 0.0 ? two.u_lo : two.u_hi);
+    const double rho2 = std::exp(pair.side() < 0.0 ? two.u_lo : two.u_hi);
     const double cosine = pair.is_rack() ? (a - pair.diameter(2, two.u_hi)) / rho1
                                          : (a * a + rho1 * rho1 - rho2 * rho2) / (2 * a * rho1);
-    least = std::min(least, pair.mirror() * cosine);
+    least = std::min(least, pair.side() * cosine);
   };
   if (!(a > 0.0)) return pair.reach();
   take(lo);
   take(hi);
   const double rho2 = std::exp(two.u_hi);
   const double flattest = !pair.is_rack() && a > rho2 ? std::sqrt(a * a - rho2 * rho2) : 0.0;
-  if (pair.mirror() > 0.0 && flattest > lo && flattest < hi) take(flattest);
+  if (pair.side() > 0.0 && flattest > lo && flattest < hi) take(flattest);
   return std::acos(std::max(-1.0, least));
 }
 

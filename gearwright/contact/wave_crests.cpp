@@ -106,7 +106,7 @@ std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair
   // an internal gear. The pitch point is the point of flank 1 with the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
-  const double sign = pair.mirror();
+  const double sign = pair.side();
   const double bases = r_b2 + sign * r_b1;
   const double across_bases = a * a - bases * bases;
   if (!(across_bases > 0.0)) return std::nullopt;

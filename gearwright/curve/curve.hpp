@@ -9,8 +9,11 @@
 // class of curves checks whether a curve belongs to this class.
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <string_view>
+#include <type_traits>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/vector.hpp"
@@ -43,6 +46,73 @@ class Curve {
 };
 
 using CurvePtr = std::shared_ptr<const Curve>;
+
+/// A complex number x + iy of any scalar type.
+template <class T>
+struct Plane {
+  T x, y;
+};
+
+template <class T>
+Plane<T> times(const Plane<T>& a, const Plane<T>& b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+/// The jets of curves, as templates over the scalar T. T is double in the program and a number of 50
+/// digits in the accuracy ledger, whose functions are found by the namespace of their arguments.
+namespace jets {
+
+using std::abs, std::atan2, std::cos, std::hypot, std::isinf, std::sin, std::sqrt;
+
+/// w e^{i angle}
+template <class T>
+Plane<T> turned(const Plane<T>& w, const T& angle) {
+  const T c = cos(angle), s = sin(angle);
+  return {w.x * c - w.y * s, w.x * s + w.y * c};
+}
+
+/// π
+template <class T>
+T half_turn() {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::numbers::pi_v<T>;
+  else
+    return atan2(T(0), T(-1));
+}
+
+/// The derivatives ℓ′ and ℓ″ of ℓ = ln W with respect to the parameter of a curve.
+template <class T>
+struct LogSlopes {
+  Plane<T> d1, d2;
+};
+
+}  // namespace jets
+
+/// A curve whose values are views of its jet. Self::jet(t) returns a value with the members
+///
+///     Plane<T> point()      T tangent_angle()      T curvature()
+///
+/// A member computes only its own terms. A member `T polar_angle()` replaces the argument of the
+/// point. The jet of a flank in contact also has the members of which polar_jet() makes a PolarJet.
+template <class Self>
+class JetCurve : public Curve {
+ public:
+  Vec2 point(double t) const final { return vector(jet(t).point()); }
+  CurvePoint at(double t) const final {
+    const auto j = jet(t);
+    return {vector(j.point()), j.tangent_angle(), j.curvature()};
+  }
+  double polar_angle(double t) const final {
+    if constexpr (requires(const Self& s) { s.jet(t).polar_angle(); })
+      return jet(t).polar_angle();
+    else
+      return Curve::polar_angle(t);
+  }
+
+ private:
+  static Vec2 vector(const Plane<double>& p) { return {p.x, p.y}; }
+  auto jet(double t) const { return static_cast<const Self&>(*this).jet(t); }
+};
 
 /// The curve as a pointer to the class Kind; null if the curve is of another class.
 template <class Kind>

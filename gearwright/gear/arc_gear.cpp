@@ -71,7 +71,7 @@ void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& e
 }  // namespace
 
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle) {
-  const std::vector<double> f = RackTrochoid(motion, circle).cusp_polynomial();
+  const auto f = RackTrochoid(motion, circle).cusp_polynomial();
   const double end = std::sin(circle.end_tau.rad());
   const bool convex = circle.q > 0.0;
   const std::vector<double> sines =

@@ -37,7 +37,7 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
   const double begin = circle.begin_tau.rad();
   const double end = circle.end_tau.rad();
   auto curve = std::make_shared<RackTrochoid>(motion, circle);
-  const std::vector<double> f = curve->cusp_polynomial();
+  const auto f = curve->cusp_polynomial();
   const double direction = end > begin ? 1.0 : -1.0;
   const double s_a = std::sin(begin);
   const double s_b = std::sin(end);

@@ -39,109 +39,24 @@ std::array<std::vector<double>, n> sign_changes(const F& f, double a, double b) 
 
 }  // namespace
 
-double PinionMotion::cutter_pitch_radius() const {
-  return side() * distance * cutter_teeth / (cutter_teeth + teeth);
-}
-
-double PinionMotion::pitch_radius() const {
-  return side() * distance * teeth / (cutter_teeth + teeth);
-}
-
-CurvePoint CornerFan::at(double nu) const {
-  return {point_, nu - kPi / 2, -std::numeric_limits<double>::infinity()};
-}
-
-// The angles are computed only on request, because most functions do not use them.
-struct PinionEnvelope::Contact {
-  double s, q, w;
-  double curvature;  // k of the cutter's curve, followed from root to tip
-  double lambda() const { return w - q; }
-  double kappa() const { return std::atan2(s, w); }
-};
-
-// The point of the gear is (along + i across) e^{i turn}.
-struct PinionEnvelope::Place {
-  double along, across, turn;
-  Vec2 point() const {
-    const double cos_t = std::cos(turn);
-    const double sin_t = std::sin(turn);
-    return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
-  }
-};
-
 PinionEnvelope::PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
                                Meeting meeting)
-    : motion_(motion),
-      cutter_(std::move(cutter)),
-      walk_(walk == Walk::forward ? 1.0 : -1.0),
-      meeting_(meeting == Meeting::ahead ? 1.0 : -1.0),
-      r_p_(motion.cutter_pitch_radius()),
-      r_g_(motion.pitch_radius()),
-      m_(motion.ratio()) {
-  GW_EXPECTS(motion.cutter_teeth >= 1 && r_p_ > 0.0);
+    : cutter_(std::move(cutter)), way_(motion, walk, meeting) {
+  GW_EXPECTS(motion.cutter_teeth >= 1 && way_.r_p > 0.0);
 }
 
-PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
+jets::PinionContact<double> PinionEnvelope::contact(double t) const {
   const CurvePoint p = cutter_->at(t);
-  const double cos_t = walk_ * std::cos(p.tangent_angle);
-  const double sin_t = walk_ * std::sin(p.tangent_angle);
-  Contact c;
-  c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
-  c.q = p.point.y() * cos_t - p.point.x() * sin_t;
-  // At the limit of reach, s equals r_p within rounding, and the square root would lose half of the
-  // digits. If w is set to 0, the paths ahead of and behind the tooth end in the same point.
-  const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
-  c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
-  c.curvature = walk_ * p.curvature;
-  return c;
+  return {way_, {p.point.x(), p.point.y()}, p.tangent_angle, p.curvature};
 }
 
-PinionEnvelope::Place PinionEnvelope::place(double t, const Contact& c) const {
-  // ν lies in the half turn that begins at the polar angle. The polar angle is continuous along the
-  // curve.
-  const double turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa();  // ϑ = ν − κ
-  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the negative of its conjugate
-  // is used instead.
-  return {motion_.side() * (r_g_ + c.lambda() * c.w / r_p_), c.lambda() * c.s / r_p_,
-          kPi / std::abs(motion_.teeth) - std::abs(m_) * turned};
-}
-
-Vec2 PinionEnvelope::point(double t) const { return place(t, contact(t)).point(); }
-
-double PinionEnvelope::polar_angle(double t) const {
-  const Place here = place(t, contact(t));
-  return here.turn + std::atan2(here.across, here.along);
-}
-
-CurvePoint PinionEnvelope::at(double t) const {
-  const Contact c = contact(t);
-  const double lambda = c.lambda();
-  const double n = 1.0 + m_;
-  // k_g = (k w + n (1 − kλ))/(w + nλ (1 − kλ)), [T6.9]. At a corner, where t is ν and k = −∞,
-  // numerator and denominator are divided by k.
-  double above, below;
-  if (std::isinf(c.curvature)) {
-    above = c.w - n * lambda;
-    below = -n * lambda * lambda;
-  } else {
-    above = c.curvature * c.w + n * (1.0 - c.curvature * lambda);
-    below = c.w + n * lambda * (1.0 - c.curvature * lambda);
-  }
-  const double side = motion_.side();
-  const double direction = walk_ * meeting_ * below;  // > 0 if t grows along `tangent`
-  const Place here = place(t, c);
-  const double tangent = here.turn + side * (c.kappa() + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
-  return {here.point(), tangent + (direction < 0.0 ? kPi : 0.0),
-          side * above / below * (direction < 0.0 ? -1.0 : 1.0)};
-}
-
-bool PinionEnvelope::reaches(double t) const { return contact(t).s < r_p_; }
+bool PinionEnvelope::reaches(double t) const { return contact(t).s < way_.r_p; }
 
 bool PinionEnvelope::cuts(double t) const {
-  const Contact c = contact(t);
-  if (!(c.s < r_p_)) return false;
+  const auto c = contact(t);
+  if (!(c.s < way_.r_p)) return false;
   if (std::isinf(c.curvature)) return true;  // for a corner, w G = n λ²/ρ with ρ → 0
-  return c.w + (1.0 + m_) * c.lambda() * (1.0 - c.curvature * c.lambda()) > 0.0;
+  return c.w_g(way_.m) > 0.0;
 }
 
 // The cutter's curve as a circle of radius ρ about a centre at the distance D and the polar angle
@@ -162,7 +77,7 @@ std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
                            },
                            [&](const OffsetCircle* c) -> None {
                              // along a concave curve, the parameter grows from root to tip
-                             const bool hollow = walk_ > 0.0;
+                             const bool hollow = way_.walk > 0.0;
                              return Circle{c->distance(), c->direction(),
                                            hollow ? -c->radius() : c->radius(),
                                            hollow ? -kPi : 0.0};
@@ -186,26 +101,26 @@ std::vector<double> in_order(std::vector<double> t, double a, double b) {
 }  // namespace
 
 std::vector<double> PinionEnvelope::breaks(double a, double b) const {
-  const double n = 1.0 + m_;
+  const double n = 1.0 + way_.m;
   const auto ring = circle();
   std::vector<double> found;
   if (!ring) {
     const auto reach_and_w_g = [&](double t) {
-      const Contact c = contact(t);
-      return std::array{c.s - r_p_, c.w + n * c.lambda() * (1.0 - c.curvature * c.lambda())};
+      const auto c = contact(t);
+      return std::array{c.s - way_.r_p, c.w_g(way_.m)};
     };
     for (const auto& roots : sign_changes<2>(reach_and_w_g, a, b))
       found.insert(found.end(), roots.begin(), roots.end());
     return in_order(std::move(found), a, b);
   }
   const auto [d, gamma, rho, nu_to_t] = *ring;
-  if (d > r_p_) {
-    const double angle = std::asin(r_p_ / d);
+  if (d > way_.r_p) {
+    const double angle = std::asin(way_.r_p / d);
     found = {gamma + angle + nu_to_t, gamma + kPi - angle + nu_to_t};
   }
   if (rho != 0.0) {
     // w G ρ = ρ w + n h (h − ρ), multiplied by 2h. [T6.9]
-    const double k = (r_p_ - d) * (r_p_ + d);
+    const double k = (way_.r_p - d) * (way_.r_p + d);
     const double cubic[] = {rho * k, 0.0, rho * (1.0 - 2.0 * n), 2.0 * n};
     for (double h : centre_ways(cubic, a, b)) {
       const double c = std::clamp((k - h * h) / (2.0 * h * d), -1.0, 1.0);
@@ -229,17 +144,17 @@ std::vector<double> PinionEnvelope::centre_ways(std::span<const double> polynomi
 
 std::vector<double> PinionEnvelope::turns(double a, double b) const {
   const auto ring = circle();
-  const double one = 1.0 + 1.0 / m_;
+  const double one = 1.0 + 1.0 / way_.m;
   if (!ring) {
     const auto f = [&](double t) {
-      const Contact c = contact(t);
+      const auto c = contact(t);
       return std::array{c.q - c.w * one};
     };
     return in_order(std::move(sign_changes<1>(f, a, b)[0]), a, b);
   }
   const auto [d, gamma, rho, nu_to_t] = *ring;
   // D cos(ν − γ) + ρ = w (1 + 1/m), multiplied by 2h.
-  const double k = (r_p_ - d) * (r_p_ + d);
+  const double k = (way_.r_p - d) * (way_.r_p + d);
   const double quadratic[] = {k - one * k, 2.0 * rho, -1.0 - one};
   std::vector<double> found;
   for (double h : centre_ways(quadratic, a, b)) {

@@ -14,6 +14,10 @@
 //                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,20 +33,18 @@ struct PinionMotion {
   int teeth;         ///< z, negative for an internal gear
   double distance;   ///< E  generating centre distance, > 0, mm
   double side() const { return side_of(teeth); }
-  double ratio() const { return static_cast<double>(cutter_teeth) / teeth; }  ///< m
-  double cutter_pitch_radius() const;                                         ///< r_p  mm
-  double pitch_radius() const;                                                ///< r_g  mm, signed
-};
-
-/// A sharp corner of the cutter as a curve of radius 0. The parameter is the angle ν of the normal.
-class CornerFan final : public Curve {
- public:
-  explicit CornerFan(const Vec2& point) : point_(point) {}
-  Vec2 point(double) const override { return point_; }
-  CurvePoint at(double nu) const override;
-
- private:
-  Vec2 point_;
+  template <class T = double>
+  T ratio() const {  ///< m
+    return T(cutter_teeth) / teeth;
+  }
+  template <class T = double>
+  T cutter_pitch_radius() const {  ///< r_p  mm
+    return side_of<T>(teeth) * T(distance) * cutter_teeth / (cutter_teeth + teeth);
+  }
+  template <class T = double>
+  T pitch_radius() const {  ///< r_g  mm, signed
+    return side_of<T>(teeth) * T(distance) * teeth / (cutter_teeth + teeth);
+  }
 };
 
 /// The direction in which the parameter of a cutter's curve grows. It is `forward` from root to tip
@@ -55,19 +57,132 @@ enum class Walk { forward, backward };
 /// space [T6.13].
 enum class Meeting { ahead, behind };
 
+namespace jets {
+
+template <class T>
+struct CornerFan {
+  Plane<T> corner;
+  T nu;
+  Plane<T> point() const { return corner; }
+  T tangent_angle() const { return nu - half_turn<T>() / 2; }
+  T curvature() const { return -std::numeric_limits<T>::infinity(); }
+};
+
+/// The motion of the cutter in a scalar type, and the way along its outline.
+template <class T>
+struct PinionWay {
+  PinionWay(const PinionMotion& motion, Walk walk, Meeting meeting)
+      : teeth(motion.teeth),
+        side(motion.side()),
+        walk(walk == Walk::forward ? 1.0 : -1.0),
+        meeting(meeting == Meeting::ahead ? 1.0 : -1.0),
+        r_p(motion.cutter_pitch_radius<T>()),
+        r_g(motion.pitch_radius<T>()),
+        m(motion.ratio<T>()) {}
+  int teeth;
+  double side, walk, meeting;  // 1 or −1
+  T r_p, r_g, m;
+};
+
+/// A point of the cutter in the position in which it cuts.
+template <class T>
+struct PinionContact {
+  /// The point, the direction of the tangent and the curvature of the cutter's curve.
+  PinionContact(const PinionWay<T>& way, const Plane<T>& point, const T& tangent_angle,
+                const T& cutter_curvature)
+      : curvature(way.walk * cutter_curvature) {
+    const T zero(0);
+    const T cos_t = way.walk * cos(tangent_angle), sin_t = way.walk * sin(tangent_angle);
+    s = std::max(zero, T(point.x * cos_t + point.y * sin_t));  // never negative on an outline
+    q = point.y * cos_t - point.x * sin_t;
+    // At the limit of reach, s equals r_p within rounding, and the square root would lose half of
+    // the digits. w is therefore set to 0, so that the paths ahead of and behind the tooth end in
+    // the same point.
+    const bool at_limit = way.r_p - s < 4 * std::numeric_limits<T>::epsilon() * way.r_p;
+    w = at_limit ? zero : T(way.meeting * sqrt(std::max(zero, T((way.r_p - s) * (way.r_p + s)))));
+  }
+  T s, q, w;
+  T curvature;  // k of the cutter's curve, followed from root to tip
+  T lambda() const { return w - q; }
+  T kappa() const { return atan2(s, w); }
+  /// w G [T6.9].   Domain  a finite curvature
+  T w_g(const T& m) const { return w + (T(1) + m) * lambda() * (T(1) - curvature * lambda()); }
+};
+
+/// The envelope at a point of the cutter with the polar angle `polar`.
+template <class T>
+struct PinionEnvelope {
+  PinionWay<T> way;
+  PinionContact<T> contact;
+  T polar;
+
+  // The point of the gear is factor e^{i phase} with factor = r_g + λ e^{iκ} and e^{iκ} = (w +
+  // is)/r_p. On an internal gear, the negative of its conjugate is used instead.
+  Plane<T> factor() const {
+    const T lambda = contact.lambda();
+    return {way.side * (way.r_g + lambda * contact.w / way.r_p), lambda * contact.s / way.r_p};
+  }
+  T phase() const {
+    // ν lies in the half turn that begins at the polar angle. The polar angle is continuous along
+    // the curve.
+    const T theta = polar + atan2(contact.s, contact.q) - contact.kappa();  // ϑ = ν − κ
+    return half_turn<T>() / std::abs(way.teeth) - abs(way.m) * theta;
+  }
+  Plane<T> point() const { return turned(factor(), phase()); }
+  T polar_angle() const {
+    const Plane<T> f = factor();
+    return phase() + atan2(f.y, f.x);
+  }
+  T tangent_angle() const {
+    const T half = half_turn<T>(), none(0);
+    return phase() + way.side * (contact.kappa() + half / 2) + (way.side > 0.0 ? none : half) +
+           (backward() ? half : none);
+  }
+  T curvature() const {
+    const auto [above, below] = bend();
+    return way.side * above / below * (backward() ? -1.0 : 1.0);
+  }
+
+ private:
+  struct Bend {
+    T above, below;
+  };
+  // k_g = (k w + n (1 − kλ))/(w + nλ (1 − kλ)) with n = 1 + m, [T6.9]. At a corner, where t is ν
+  // and k = −∞, numerator and denominator are divided by k.
+  Bend bend() const {
+    const T lambda = contact.lambda(), k = contact.curvature, n = T(1) + way.m;
+    if (isinf(k)) return {contact.w - n * lambda, -n * lambda * lambda};
+    return {k * contact.w + n * (T(1) - k * lambda), contact.w_g(way.m)};
+  }
+  // True if t grows against the direction of the tangent.
+  bool backward() const { return way.walk * way.meeting * bend().below < 0.0; }
+};
+
+}  // namespace jets
+
+/// A sharp corner of the cutter as a curve of radius 0. The parameter is the angle ν of the normal.
+class CornerFan final : public JetCurve<CornerFan> {
+ public:
+  explicit CornerFan(const Vec2& point) : corner_{point.x(), point.y()} {}
+  jets::CornerFan<double> jet(double nu) const { return {corner_, nu}; }
+
+ private:
+  Plane<double> corner_;
+};
+
 /// The envelope as a function of the parameter of the cutter's curve. σ is the arc length of this
 /// curve, and k is its curvature.
 ///
 /// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)} with G = 1 + (1+m) λ (1 − k λ)/w; a zero of G is a cusp [T6.9]
 ///       (2) d|W|²/dσ = −2 (r_g/r_p) s G, so the radius is monotone between cusps
 /// Domain  s ≤ r_p at every evaluated parameter
-class PinionEnvelope final : public Curve {
+class PinionEnvelope final : public JetCurve<PinionEnvelope> {
  public:
   PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
                  Meeting meeting = Meeting::ahead);
-  Vec2 point(double t) const override;
-  CurvePoint at(double t) const override;
-  double polar_angle(double t) const override;
+  jets::PinionEnvelope<double> jet(double t) const {
+    return {way_, contact(t), cutter_->polar_angle(t)};
+  }
 
   /// Returns true if the cutter lies outside the material of the gear near the point. This is the
   /// case if s < r_p and w G > 0.
@@ -83,18 +198,13 @@ class PinionEnvelope final : public Curve {
   std::vector<double> turns(double a, double b) const;
 
  private:
-  struct Contact;
-  struct Place;
   struct Circle;
-  Contact contact(double t) const;
-  Place place(double t, const Contact& contact) const;
+  jets::PinionContact<double> contact(double t) const;
   std::optional<Circle> circle() const;
   std::vector<double> centre_ways(std::span<const double> polynomial, double a, double b) const;
 
-  PinionMotion motion_;
   CurvePtr cutter_;
-  double walk_, meeting_;
-  double r_p_, r_g_, m_;
+  jets::PinionWay<double> way_;
 };
 
 /// The involute that an involute of the cutter generates. The roll angle ξ_0 on the cutter gives

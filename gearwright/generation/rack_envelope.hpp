@@ -13,11 +13,13 @@
 // A straight piece of the edge cuts an involute, and a circle or a corner cuts a trochoid.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/curve/curve.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/tool/cutter_edge.hpp"
 
 namespace gearwright {
@@ -35,78 +37,89 @@ struct RackCircle {
   T cos_beta;       ///< cos β
   Plane<T> center;  ///< mm
   T q;              ///< as in EdgeCircle, mm
+
+  /// The coefficients of F as a polynomial in sin τ, lowest power first. [T3.9]
+  std::array<T, 5> cusp_polynomial() const {
+    const T cos2 = cos_beta * cos_beta, sin2 = T(1) - cos2;
+    return {-cos2 * center.x * center.x, -cos2 * center.x * q, T(0), q * (r + sin2 * center.x),
+            sin2 * q * q};
+  }
 };
 
-/// A point of the cutter in the position in which it cuts, and the rotation φ of the gear.
+namespace jets {
+
+/// The envelope of a circular piece at the normal angle τ of the normal section with the sine s and
+/// the cosine c.
+///
+/// The values and the derivatives have separate formulas. The first derivative of log_slopes()
+/// suffers from cancellation near a cusp, so a tangent computed from it is less accurate than
+/// tangent_angle() (ledger rows `rack_trochoid.tangent` and `rack_trochoid.jet`). In factor() and
+/// log_slopes(), the height of the circle's centre and q sin τ are kept apart, so that no divisor
+/// contains a higher power than sin² τ. [T8.6]
 template <class T>
-struct RackCut {
-  T x, k, phi;
+struct RackTrochoid {
+  RackCircle<T> e;
+  T s, c;
+
+  // The point of the cutter (x, y) in the position in which it cuts, and the rotation φ of the
+  // gear. [T3.7]
+  T x() const { return e.center.x + e.q * s; }
+  T y() const { return (e.center.y + e.q * c) / e.cos_beta; }
+  T k() const { return x() * e.cos_beta * c / s; }
+  T phi() const { return (y() - k()) / e.r; }
+
+  Plane<T> point() const { return turned({e.r + x(), k()}, phi()); }
+  T polar_angle() const { return phi() + atan2(k(), e.r + x()); }
+  T tangent_angle() const {
+    return phi() - atan2(s, e.cos_beta * c) + (speed() < T(0) ? half_turn<T>() : T(0));
+  }
+  T curvature() const {
+    const T cb = e.cos_beta,
+            phi1 = (-e.q * s / cb - (e.q * c * c * cb / s - x() * cb / (s * s))) / e.r;
+    return (phi1 - cb / transverse_square()) / abs(speed());
+  }
+
+  Plane<T> factor() const { return {e.r + e.q * s + e.center.x, k_apart()}; }
+  T phase() const { return ((e.center.y + e.q * c) / e.cos_beta - k_apart()) / e.r; }
+  LogSlopes<T> log_slopes() const {
+    const T q1 = e.q * c, q2 = -e.q * s, csc2 = T(1) / (s * s);
+    const T k1 = -e.cos_beta * (e.center.x * csc2 + e.q * s);
+    const T k2 = e.cos_beta * (T(2) * e.center.x * (c / s) * csc2 - q1);
+    const Plane<T> f = factor();
+    const T norm = f.x * f.x + f.y * f.y;
+    const Plane<T> over{f.x / norm, -f.y / norm};
+    const Plane<T> a = times<T>({q1, k1}, over), b = times<T>({q2, k2}, over), aa = times(a, a);
+    const T phi1 = (q2 / e.cos_beta - k1) / e.r, phi2 = (-q1 / e.cos_beta - k2) / e.r;
+    return {{a.x, a.y + phi1}, {b.x - aa.x, b.y - aa.y + phi2}};
+  }
+
+ private:
+  T k_apart() const { return e.cos_beta * (e.center.x * (c / s) + e.q * c); }
+  T transverse_square() const { return s * s + e.cos_beta * e.cos_beta * c * c; }
+  // v of dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β). [T3.9]
+  T speed() const {
+    return evaluate_polynomial<T>(e.cusp_polynomial(), s) * sqrt(transverse_square()) /
+           (s * s * s * e.r * e.cos_beta);
+  }
 };
 
-/// Returns the cut at the normal angle with the sine s and the cosine c. [T3.7]
-template <class T>
-RackCut<T> rack_cut(const RackCircle<T>& e, const T& s, const T& c) {
-  const T x = e.center.x + e.q * s;
-  const T y = (e.center.y + e.q * c) / e.cos_beta;
-  const T k = x * e.cos_beta * c / s;
-  return {x, k, (y - k) / e.r};
-}
-
-/// Computes W = (r + x + ik) e^{iφ} and its derivatives with respect to τ. In the code, x is the
-/// height of the circle's centre, so the point of the cutter has the height x + q sin τ. Because
-/// these two terms are kept apart, no divisor contains a higher power than sin² τ. [T8.6]
-template <class T>
-CurveJet<T> trochoid_jet(const RackCircle<T>& e, const T& tau) {
-  using std::cos;
-  using std::sin;
-  const T &x = e.center.x, &q = e.q;
-  const T s = sin(tau);
-  const T c = cos(tau);
-  const T cot = c / s;
-  const T csc2 = T(1) / (s * s);
-  const T k = e.cos_beta * (x * cot + q * c);
-  const T k1 = -e.cos_beta * (x * csc2 + q * s);
-  const T k2 = e.cos_beta * (T(2) * x * cot * csc2 - q * c);
-  const T y = e.center.y + q * c;
-  const Plane<T> f{e.r + q * s + x, k};
-  const T norm = f.x * f.x + f.y * f.y;
-  const Plane<T> over{f.x / norm, -f.y / norm};
-  const Plane<T> a = times<T>({q * c, k1}, over);
-  const T phi1 = (-q * s / e.cos_beta - k1) / e.r;
-  const T phi2 = (-q * c / e.cos_beta - k2) / e.r;
-  const Plane<T> b = times<T>({-q * s, k2}, over), aa = times(a, a);
-  return {T(1), f, (y / e.cos_beta - k) / e.r, {a.x, a.y + phi1}, {b.x - aa.x, b.y - aa.y + phi2}};
-}
+}  // namespace jets
 
 /// The envelope of a circular piece of the edge, with the normal angle τ as parameter.
-///
-/// The values and the derivatives have separate formulas. point(), polar_angle() and at() are made
-/// from rack_cut(). The first derivative of polar_jet() suffers from cancellation near a cusp, so a
-/// tangent computed from it is less accurate than the tangent of at() (ledger rows
-/// `rack_trochoid.tangent` and `rack_trochoid.jet`). log_radius() is as accurate as polar_jet() and
-/// takes two thirds of its time.
 ///
 /// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9], so the radius is monotone
 ///           between zeros of F, and a zero of F is a cusp
 ///       (2) dθ/d|W| does not depend on the circle's radius
-class RackTrochoid final : public Curve {
+class RackTrochoid final : public JetCurve<RackTrochoid> {
  public:
   RackTrochoid(const RackMotion& motion, const EdgeCircle& circle);
-  Vec2 point(double tau) const override;
-  CurvePoint at(double tau) const override;
-  double polar_angle(double tau) const override;
-  /// Returns the point W and its first two derivatives with respect to τ, in polar form. [T8.6]
-  PolarJet polar_jet(double tau) const;
-  /// ln |W| and its derivative with respect to τ, the part of polar_jet() for finding a radius.
-  struct LogRadius {
-    double u, slope;
-  };
-  LogRadius log_radius(double tau) const;
+  jets::RackTrochoid<double> jet(double tau) const {
+    return {numbers(), std::sin(tau), std::cos(tau)};
+  }
   const RackMotion& motion() const { return motion_; }
   const EdgeCircle& circle() const { return circle_; }  ///< the height of its centre includes e
 
-  /// Returns the coefficients of F as a polynomial in sin τ, lowest power first. [T3.9]
-  std::vector<double> cusp_polynomial() const;
+  std::array<double, 5> cusp_polynomial() const { return numbers().cusp_polynomial(); }
   /// Returns the normal angles of the necks. At a neck, the half angle of the tooth is stationary.
   /// [T3.10]
   std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
@@ -118,18 +131,12 @@ class RackTrochoid final : public Curve {
             {circle_.center.x(), circle_.center.y()},
             circle_.q};
   }
-  RackCut<double> cut(double s, double c) const { return rack_cut(numbers(), s, c); }
 
   RackMotion motion_;
   EdgeCircle circle_;  // the height of its centre includes e
 };
 
-// This function is inline, because the inner loop of contact/ calls it.
-inline PolarJet RackTrochoid::polar_jet(double tau) const {
-  return polar(trochoid_jet(numbers(), tau));
-}
-
-/// Returns the involute that a straight piece cuts. [T3.8]
+/// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
 /// Returns the roll angle ξ of the involute point that is cut by the point of the line at the

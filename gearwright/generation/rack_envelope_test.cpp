@@ -58,25 +58,6 @@ TEST(RackTrochoid, points_are_cut_when_the_normal_meets_the_pitch_point) {
   }
 }
 
-// Central differences with the step 1e-4 are accurate to 1e-7 of the first and to 1e-5 of the
-// second derivative.
-TEST(RackTrochoid, tangent_and_curvature) {
-  for (const auto& [motion, circle] : envelopes()) {
-    const RackTrochoid curve(motion, circle);
-    for (const double tau : {0.5, 0.9, 1.3}) {
-      const double h = 1e-4;
-      const Vec2 before = curve.point(tau - h), here = curve.point(tau),
-                 after = curve.point(tau + h);
-      const Vec2 d = (after - before) / (2 * h), dd = (after - 2 * here + before) / (h * h);
-      const CurvePoint p = curve.at(tau);
-      EXPECT_NEAR(d.normalized().x(), std::cos(p.tangent_angle), 1e-5);
-      EXPECT_NEAR(d.normalized().y(), std::sin(p.tangent_angle), 1e-5);
-      const double curvature = (d.x() * dd.y() - d.y() * dd.x()) / std::pow(d.norm(), 3);
-      EXPECT_NEAR(p.curvature, curvature, 1e-4 * (1 + std::abs(curvature))) << tau;
-    }
-  }
-}
-
 // Law (1): d|W|²/dτ = 2 F cos τ/sin³τ.
 TEST(RackTrochoid, cusp_polynomial_is_the_slope_of_the_radius) {
   for (const auto& [motion, circle] : envelopes()) {

@@ -69,9 +69,9 @@ Result<std::vector<ToothedBody>> drive_part(const DriveJob& job, const std::stri
     ToothedBody alone = body;
     alone.name = name;
     std::vector<ToothedBody> part = laid_out({std::move(alone)});
-    Eigen::Isometry3d on_axis = part.front().pose.isometry();
-    on_axis.translation().head<2>().setZero();
-    part.front().pose = SolidPose(on_axis);
+    SolidPose& pose = part.front().pose;
+    const Vec3 aside(pose.origin().x(), pose.origin().y(), 0.0);
+    pose = Pose<AssemblyFrame, AssemblyFrame>(-aside, Mat3::Identity()) * pose;
     return part;
   }
   return Error{"--gear", name,

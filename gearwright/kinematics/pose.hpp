@@ -45,6 +45,12 @@ FreeVector<F> operator*(const FreeVector<F>& a, double factor) {
   return {a.v * factor};
 }
 
+/// The rotation about z. The axis z keeps its last bit.
+inline Mat3 about_z(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return Mat3{{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}};
+}
+
 /// A linear map of free vectors: a rotation, or its derivative with respect to an angle.
 template <class To, class From>
 class LinearMap {
@@ -72,6 +78,10 @@ class Pose {
  public:
   Pose() = default;
   explicit Pose(const Eigen::Isometry3d& isometry) : isometry_(isometry) {}
+  Pose(const Vec3& origin, const Mat3& rotation) {
+    isometry_.linear() = rotation;
+    isometry_.translation() = origin;
+  }
   const Eigen::Isometry3d& isometry() const { return isometry_; }
   Pose<From, To> inverse() const { return Pose<From, To>(isometry_.inverse()); }
 

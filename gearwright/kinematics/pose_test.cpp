@@ -53,6 +53,18 @@ TEST(LinearMap, maps_as_its_matrix) {
   EXPECT_EQ((LinearMap<Gear2, Gear1>() * v).v, v.v);
 }
 
+TEST(Pose, is_made_from_origin_and_rotation) {
+  const double angle = 0.7;
+  const Vec3 origin(3.0, -4.0, 5.0), r(2.0, 1.0, -6.0);
+  const Pose<Housing, Gear1> pose(origin, about_z(angle));
+  EXPECT_EQ(pose.origin(), origin);
+  EXPECT_EQ(pose.axis(2), Vec3::UnitZ());
+  EXPECT_NEAR(pose.turn(), angle, 1e-15);
+  const Vec3 turned = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * r;
+  EXPECT_LE(((pose * Point<Gear1>{r}).r - origin - turned).norm(), 1e-14);
+  EXPECT_TRUE((Pose<Housing, Gear1>(Vec3::Zero(), about_z(0.0)).is_identity()));
+}
+
 TEST(Pose, parts) {
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.translate(Vec3(3.0, -4.0, 5.0));

@@ -82,12 +82,6 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   return {low ? a : b, residual, static_cast<int>(budget) + 4, stop};
 }
 
-double evaluate_polynomial(std::span<const double> c, double x) {
-  double sum = 0.0;
-  for (std::size_t i = c.size(); i-- > 0;) sum = sum * x + c[i];
-  return sum;
-}
-
 std::vector<double> polynomial_roots(std::span<const double> c, double lo, double hi) {
   GW_EXPECTS(lo <= hi);
   while (!c.empty() && c.back() == 0.0) c = c.first(c.size() - 1);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
@@ -47,7 +48,12 @@ double nearest_possible(double known, double wanted, const Possible& possible) {
 }
 
 /// Σ c_i x^i.
-double evaluate_polynomial(std::span<const double> c, double x);
+template <class T>
+T evaluate_polynomial(std::span<const std::type_identity_t<T>> c, const T& x) {
+  T sum(0);
+  for (std::size_t i = c.size(); i-- > 0;) sum = sum * x + c[i];
+  return sum;
+}
 
 /// The roots in [lo, hi] at which the polynomial Σ c_i x^i changes sign, in ascending order.
 ///

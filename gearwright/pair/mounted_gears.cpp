@@ -16,9 +16,7 @@ double MountedGears::gear_ratio() const {
 
 Pose<Housing, Gear1> MountedGears::pose_1() const {
   // Tooth 0 points to the mesh, which is at +x for external pairs and at −x for internal pairs.
-  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
-  x.linear().diagonal() << side(), side(), 1.0;
-  return Pose<Housing, Gear1>(x);
+  return {Vec3::Zero(), Mat3(Vec3(side(), side(), 1.0).asDiagonal())};
 }
 
 Pose<Housing, Gear2> MountedGears::pose_2() const {
@@ -27,10 +25,8 @@ Pose<Housing, Gear2> MountedGears::pose_2() const {
   const SinCos t = sincos_turn(z2 - 1, 2LL * z2);
   const double s = std::sin(axis_angle().rad());
   const double c = std::cos(axis_angle().rad());
-  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
-  x.linear() << t.cos, -t.sin, 0.0, c * t.sin, c * t.cos, s, -s * t.sin, -s * t.cos, c;
-  x.translation() = Vec3(center_distance, 0.0, 0.0);
-  return Pose<Housing, Gear2>(x);
+  return {Vec3(center_distance, 0.0, 0.0),
+          Mat3{{t.cos, -t.sin, 0.0}, {c * t.sin, c * t.cos, s}, {-s * t.sin, -s * t.cos, c}}};
 }
 
 }  // namespace gearwright

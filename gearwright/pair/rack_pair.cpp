@@ -202,19 +202,13 @@ double RackGeometry::form_depth() const {
   return dedendum - fillet_radius * (1 - std::sin(normal_pressure_angle.rad()));
 }
 
-Pose<Housing, Gear1> RackPair::pose_1() const {
-  return Pose<Housing, Gear1>(Eigen::Isometry3d::Identity());
-}
-
 Pose<Housing, Gear2> RackPair::pose_2() const {
   // A half turn about z makes the teeth of the rack point towards axis 1. If the number of teeth is
   // odd, a tooth is in the middle of the rack. The rack is then displaced by half a pitch, so that
   // a space moves to this position.
-  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
-  x.linear().diagonal() << -1.0, -1.0, 1.0;
   const bool odd = rack.teeth % 2 == 1;
-  x.translation() = Vec3(center_distance, odd ? rack.transverse_pitch / 2 : 0.0, 0.0);
-  return Pose<Housing, Gear2>(x);
+  return {Vec3(center_distance, odd ? rack.transverse_pitch / 2 : 0.0, 0.0),
+          Mat3(Vec3(-1.0, -1.0, 1.0).asDiagonal())};
 }
 
 double RackPair::transverse_contact_ratio() const {

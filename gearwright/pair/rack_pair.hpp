@@ -82,7 +82,7 @@ struct RackPair {
   /// Poses of pinion and rack in the housing at rotation 0. The comment at rack_outline() defines
   /// the frame of the rack. Tooth 0 of the pinion points into the space of the rack that is nearest
   /// to the middle of the rack.
-  Pose<Housing, Gear1> pose_1() const;
+  Pose<Housing, Gear1> pose_1() const { return {}; }
   Pose<Housing, Gear2> pose_2() const;
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
   double true_contact_ratio() const;        ///< ε_α on the usable flanks

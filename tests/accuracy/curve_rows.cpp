@@ -39,11 +39,12 @@ Exact tangent_of(const Plane<Exact>& unit, const Exact& phase, const Plane<Exact
 }
 
 // Im(conj(W′) W″)/|W′|³ with W′ = W ℓ′ and W″ = W (ℓ′² + ℓ″).
-Exact curvature_of(const CurveJet<Exact>& j) {
-  const Plane<Exact> square = times(j.d1, j.d1);
-  const Plane<Exact> bend = times<Exact>({j.d1.x, -j.d1.y}, {square.x + j.d2.x, square.y + j.d2.y});
-  const Exact speed = sqrt(norm(j.d1));
-  return bend.y / (sqrt(norm(j.unit)) * abs(j.scale) * speed * speed * speed);
+Exact curvature_of(const jets::RackTrochoid<Exact>& j) {
+  const auto [d1, d2] = j.log_slopes();
+  const Plane<Exact> square = times(d1, d1);
+  const Plane<Exact> bend = times<Exact>({d1.x, -d1.y}, {square.x + d2.x, square.y + d2.y});
+  const Exact speed = sqrt(norm(d1));
+  return bend.y / (sqrt(norm(j.factor())) * speed * speed * speed);
 }
 
 }  // namespace
@@ -58,19 +59,19 @@ std::vector<Row> curve_rows() {
     const double r_b = draw.uniform(1.0, 200.0), psi_b = draw.uniform(0.0, 0.5);
     const double xi = (i % 2 == 0 ? 1.0 : -1.0) * draw.uniform(0.01, 2.0);
     const Involute curve(r_b, psi_b);
-    const CurveJet<Exact> exact = involute_jet<Exact>(r_b, psi_b, xi);
-    const PolarJet got = curve.polar_jet(xi);
+    const jets::Involute<Exact> exact{r_b, psi_b, xi};
+    const jets::LogSlopes<Exact> slopes = exact.log_slopes();
+    const PolarJet got = polar_jet(curve.jet(xi));
     const std::string w = fmt::format("r_b {:.6g}, ψ_b {:.6g}, ξ {:.6g}", r_b, psi_b, xi);
-    point.see(distance(curve.point(xi), point_of(exact)) / r_b, w);
-    jet.see(error_of(got.d1, exact.d1), w);
-    jet.see(error_of(got.d2, exact.d2), w);
+    point.see(distance(curve.point(xi), exact.point()) / r_b, w);
+    jet.see(error_of(got.d1, slopes.d1), w);
+    jet.see(error_of(got.d2, slopes.d2), w);
   }
   return {point, jet};
 }
 
-// Points are compared with rack_cut(), tangents and curvatures with trochoid_jet(), each in 50
-// digits. The program computes tangents and curvatures with rack_cut() and other closed forms, not
-// from the derivatives of trochoid_jet().
+// The jet is computed in 50 digits. Tangents and curvatures are compared with those that follow from
+// its log_slopes(), which have formulas of their own.
 std::vector<Row> trochoid_rows() {
   constexpr int kInputs = 20000;
   const std::string where = fmt::format(
@@ -87,21 +88,20 @@ std::vector<Row> trochoid_rows() {
     const EdgeCircle circle{{-draw.uniform(0.6, 1.5), draw.uniform(0.1, 1.5)}, q, {}, {}};
     const RackTrochoid curve(motion, circle);
     const double tau = draw.uniform(0.175, 1.55);
-    const RackCircle<Exact> e{motion.pitch_radius,
-                              motion.cos_beta,
-                              {circle.center.x() + motion.shift, circle.center.y()},
-                              q};
-    const CurveJet<Exact> exact = trochoid_jet<Exact>(e, tau);
-    const auto [x, k, phi] = rack_cut<Exact>(e, sin(Exact(tau)), cos(Exact(tau)));
-    const Plane<Exact> at{e.r + x, k}, turn{cos(phi), sin(phi)};
-    const PolarJet j = curve.polar_jet(tau);
+    const jets::RackTrochoid<Exact> exact{{motion.pitch_radius,
+                                           motion.cos_beta,
+                                           {circle.center.x() + motion.shift, circle.center.y()},
+                                           q},
+                                          sin(Exact(tau)),
+                                          cos(Exact(tau))};
+    const PolarJet j = polar_jet(curve.jet(tau));
     const CurvePoint p = curve.at(tau);
-    const Exact direction = tangent_of(exact.unit, exact.phase, exact.d1);
+    const Exact direction = tangent_of(exact.factor(), exact.phase(), exact.log_slopes().d1);
     const std::string w =
         fmt::format("r {:.6g}, cos β {:.6g}, e {:.6g}, centre {:.6g} {:.6g}, q {:.6g}, τ {:.6g}",
                     motion.pitch_radius, motion.cos_beta, motion.shift, circle.center.x(),
                     circle.center.y(), q, tau);
-    point.see(distance(p.point, times(at, turn)) / motion.pitch_radius, w);
+    point.see(distance(p.point, exact.point()) / motion.pitch_radius, w);
     tangent.see(turn_between(Exact(p.tangent_angle), direction), w);
     curvature.see(relative_error(p.curvature, curvature_of(exact)), w);
     jet.see(turn_between(tangent_of(in_50_digits(j.factor), Exact(j.phase), in_50_digits(j.d1)),

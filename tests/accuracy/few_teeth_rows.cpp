@@ -34,8 +34,8 @@ Circle circle_on_ray(double r_b, double psi_b, double xi, const Exact& gamma) {
 
 }  // namespace
 
-// Circular fillets are compared with circles computed in coordinates, and points of pinion
-// envelopes with the same construction in 50 digits.
+// Circular fillets are compared with circles computed in coordinates, and points of pinion envelopes
+// with their jet in 50 digits.
 std::vector<Row> few_teeth_rows() {
   constexpr int kInputs = 4000;
   const std::string where =
@@ -78,7 +78,6 @@ std::vector<Row> pinion_envelope_rows() {
       "z_0 1…40, z 5…200 and rings, arcs about any point inside the centrode, {} inputs", kInputs);
   Row row{"pinion_envelope.point", where, "of r_g", 4e-14, 0.0, ""};
   Draw draw(20260215);
-  const Exact pi = boost::math::constants::pi<Exact>();
   for (int i = 0; i < kInputs; ++i) {
     const int z0 = draw.whole(1, 40);
     const bool ring = i % 3 == 0;
@@ -90,26 +89,16 @@ std::vector<Row> pinion_envelope_rows() {
     const double r = draw.uniform(0.05, 0.5);
     const bool hollow = i % 2 == 0;
     const double t = gamma + draw.uniform(0.05, 1.2) - (hollow ? std::numbers::pi : 0.0);
-    const PinionEnvelope curve(motion, std::make_shared<OffsetCircle>(d, gamma, r),
-                               hollow ? Walk::forward : Walk::backward);
+    const Walk walk = hollow ? Walk::forward : Walk::backward;
+    const PinionEnvelope curve(motion, std::make_shared<OffsetCircle>(d, gamma, r), walk);
     const Vec2 got = curve.point(t);
-    const Exact nu = Exact(t) + (hollow ? pi : Exact(0));
-    const Exact rho = hollow ? Exact(-r) : Exact(r);
-    const Exact m = Exact(z0) / abs(Exact(z)) * (ring ? -1 : 1);
-    const Exact r_p = Exact(e) / abs(1 + 1 / m);
-    const Exact s = Exact(d) * sin(nu - Exact(gamma));
-    const Exact q = Exact(d) * cos(nu - Exact(gamma)) + rho;
-    const Exact ww = sqrt(r_p * r_p - s * s);
-    const Exact kappa = atan2(s, ww);
-    const Exact lambda = ww - q;
-    const Exact turn = pi / abs(z) - abs(m) * (nu - kappa);
-    const Exact side = ring ? -1 : 1;
-    const Exact along = side * (r_p / m + lambda * cos(kappa)), across = lambda * sin(kappa);
-    const Exact x = along * cos(turn) - across * sin(turn);
-    const Exact y = along * sin(turn) + across * cos(turn);
-    const Exact dx = Exact(got.x()) - x, dy = Exact(got.y()) - y;
+    const jets::PinionWay<Exact> way(motion, walk, Meeting::ahead);
+    const jets::OffsetCircle<Exact> c{d, gamma, r, t};
+    const jets::PinionEnvelope<Exact> exact{
+        way, {way, c.point(), c.tangent_angle(), c.curvature()}, c.polar_angle()};
+    const Exact dx = Exact(got.x()) - exact.point().x, dy = Exact(got.y()) - exact.point().y;
     row.see(
-        static_cast<double>(sqrt(dx * dx + dy * dy) / abs(r_p / m)),
+        static_cast<double>(sqrt(dx * dx + dy * dy) / abs(way.r_g)),
         fmt::format("z_0 {}, z {}, a {:.6g}, D {:.6g}, γ {:.6g}, t {:.6g}", z0, z, e, d, gamma, t));
   }
   return {row};

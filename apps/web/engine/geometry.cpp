@@ -157,39 +157,37 @@ Result<Json> Session::lines() const {
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!has_pair()) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
-    const Eigen::Isometry3d x(
-        Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
-    return shape(x);
+    return shape(SolidPose(Vec3::Zero(), about_z(-Angle::degrees(rotation1_deg).rad())));
   }
   const Angle rotation1 = Angle::degrees(rotation1_deg);
   // If the gears cannot touch, the errors of mounting are ignored.
   const auto touching = nominal ? Result<const Touching*>(nullptr) : this->touching();
   const ContactPair* contact = touching && *touching ? (*touching)->pair.get() : nullptr;
-  Eigen::Isometry3d x = pose_of(job_, gear).isometry();
+  using Motion = Pose<AssemblyFrame, AssemblyFrame>;
+  const SolidPose at_rest = pose_of(job_, gear);
   if (gear == 1) {
-    x = Eigen::AngleAxisd(-rotation1.rad(), Vec3::UnitZ()) * x;
-    if (contact) {
-      Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
-      errors.translation() = contact->in_housing(0.0, 0.0);
-      for (const int i : {0, 1, 2}) errors.linear().col(i) = contact->tilted(Vec3::Unit(i));
-      x = errors * x;
-    }
-    return shape(x);
+    const SolidPose x = Motion(Vec3::Zero(), about_z(-rotation1.rad())) * at_rest;
+    if (!contact) return shape(x);
+    Mat3 tilt;
+    for (const int i : {0, 1, 2}) tilt.col(i) = contact->tilted(Vec3::Unit(i));
+    return shape(Motion(contact->in_housing(0.0, 0.0), tilt) * x);
   }
   // If gear 2 is a rack, its rotation is its travel divided by the reference radius of the pinion.
+  Vec3 shift = Vec3::Zero();
   Angle rotation2 = job_.rack ? rotation1 : std::abs(1.0 / job_.pair->gear_ratio()) * rotation1;
   if (contact) {
     const auto p = touch(rotation1_deg);
     if (!p) return p.error();
     if (p->kind != TouchKind::none) rotation2 = p->rotation2;
-    x.translation().x() += contact->place().errors.center_distance;
+    shift.x() = contact->place().errors.center_distance;
   }
-  if (job_.rack) {
-    x.translation().y() -= rotation2.rad() * job_.rack->pinion.reference_diameter / 2;
-    return shape(x);
-  }
-  x = x * Eigen::AngleAxisd(job_.pair->mounted().side() * rotation2.rad(), Vec3::UnitZ());
-  return shape(x);
+  Mat3 turn = Mat3::Identity();
+  if (job_.rack)
+    shift.y() = -rotation2.rad() * job_.rack->pinion.reference_diameter / 2;
+  else
+    turn = about_z(job_.pair->mounted().side() * rotation2.rad());
+  return shape(Motion(shift, Mat3::Identity()) * at_rest *
+               Pose<SolidFrame, SolidFrame>(Vec3::Zero(), turn));
 }
 
 }  // namespace gearwright::web

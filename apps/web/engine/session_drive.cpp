@@ -50,7 +50,7 @@ Result<Json> Session::drive_solids() const {
                      {"body", b},
                      {"same", body.same_as ? Json(*body.same_as) : Json()},
                      {"mesh", std::move(mesh)},
-                     {"pose", shape(body.pose.isometry())},
+                     {"pose", shape(body.pose)},
                      {"turn", drive.rack_pitch(b) ? 0.0 : ratio(b)},
                      {"about", point(job->layout->places.axes[carrier.value_or(b)])},
                      {"carried", carrier ? ratio(*carrier) : 0.0},

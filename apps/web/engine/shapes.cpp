@@ -53,7 +53,9 @@ Json shape(const TriangleMesh& mesh, double tolerance) {
           {"toleranceMm", tolerance}};
 }
 
-Json shape(const Eigen::Isometry3d& pose) { return row(Numbers(pose.data(), pose.data() + 16)); }
+Json shape(const SolidPose& pose) {
+  return row(Numbers(pose.isometry().data(), pose.isometry().data() + 16));
+}
 
 Json shape(const Figure& figure, double width) {
   width = std::clamp(width, 280.0, 1400.0);

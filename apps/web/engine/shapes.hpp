@@ -11,6 +11,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/mesh.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/spec/json.hpp"
@@ -30,7 +31,7 @@ Json row(std::string_view bytes);
 Json shape(const FlankRaster& raster);
 Json shape(const TriangleMesh& mesh, double tolerance);
 /// Returns a pose as a column-major 4×4 matrix, as three.js requires.
-Json shape(const Eigen::Isometry3d& pose);
+Json shape(const SolidPose& pose);
 /// Returns a figure `width` px wide (280 to 1400 px), with its caption as HTML and its data.
 /// Figures of gears in section have no caption.
 Json shape(const Figure& figure, double width);
