@@ -123,11 +123,11 @@ elementary() {
   from=$(folder musl)
   mkdir -p "$header/bits"
   sed -f "$from/tools/mkalltypes.sed" "$from/arch/i386/bits/alltypes.h.in" "$from/include/alltypes.h.in" >"$header/bits/alltypes.h"
-  names=$(grep -v '^#' tools/elementary.txt)
+  names=$(sed '/^#/d; s#\<c\(abs\|arg\)\>#../complex/&#g' tools/elementary.txt)
   # shellcheck disable=SC2046,SC2086
   plain elementary C "-std=c99 -nostdinc -ffreestanding -fno-math-errno -Wno-attributes -Dsqrt=__builtin_sqrt -Dfabs=__builtin_fabs
     -U__FP_FAST_FMA -D_XOPEN_SOURCE=700 -I$header -I$from/arch/generic -I$from/arch/i386 -I$from/src/internal
-    -I$from/src/include -I$from/include" $(printf "$from/src/math/%s.c " ${names/cabs/../complex/cabs})
+    -I$from/src/include -I$from/include" $(printf "$from/src/math/%s.c " $names)
 }
 
 # The objects of the preset `release` call toml++ as a library, which Debian has only as a shared one.

@@ -5,9 +5,10 @@
 
 For every verb and example, exit status and bytes of --json are the same, and so are all files of `run`: a compiler
 may only choose instructions, because sums have a fixed order, products are not fused, and the elementary functions are
-those of musl. The programs are in build/compilers.
+those of musl (tests/cli/test_elementary.py). The programs are in build/compilers.
 """
 import argparse
+import os
 import subprocess
 import sys
 import tempfile
@@ -44,7 +45,11 @@ def main():
     report, examples = Report(), some_examples(options.examples)
     for kind in [options.only] if options.only else KINDS:
         print(f"{kind}:", flush=True)
-        programs = Programs(options.native, build(kind), None)
+        program = build(kind)
+        done = subprocess.run([sys.executable, SOURCE / "tests/cli/test_elementary.py"], env=dict(os.environ, GW_BIN=str(program)),
+                              stderr=subprocess.PIPE, text=True)
+        report.check("elementary functions", done.returncode == 0, done.stderr[-500:])
+        programs = Programs(options.native, program, None)
         with tempfile.TemporaryDirectory() as folder:
             compare_answers(programs, report, examples, folder)
             compare_files(programs, report, examples, folder)
