@@ -66,7 +66,8 @@ Key speed_key(KeyPlace place) {
 }
 Key torque_key(KeyPlace place) {
   return Key::number("torque_Nm", "T", {}, std::move(place), "",
-                     "torque on the first input, which determines the torques of the other bodies")
+                     "torque on the first input, which determines the torques of the other bodies; "
+                     "the torque of a single input has the sign of its speed")
       .with_list({.single = true,
                   .must = "must be one torque, which determines the torques of the other bodies"})
       .with_form("a number");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
 
 namespace gearwright {
@@ -148,6 +149,12 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
     if (auto error = check_mesh(graph, mesh)) return error;
   for (std::size_t i = 0; i < graph.bodies.size(); ++i)
     if (auto error = check_side(graph, i)) return error;
+  if (graph.inputs.size() == 1 && graph.speeds_rpm.size() == 1 &&
+      graph.torque_Nm.value_or(0.0) * graph.speeds_rpm.front() < 0.0)
+    return Error{"drive.torque", format_number(*graph.torque_Nm),
+                 fmt::format("must have the sign of the speed ({} rpm), because a single input "
+                             "drives; if the other end drives, give that body as the input",
+                             format_number(graph.speeds_rpm.front()))};
   return std::nullopt;
 }
 

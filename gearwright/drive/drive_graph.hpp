@@ -126,7 +126,8 @@ struct DriveGraph {
 /// Errors    `drive.mesh`, for example if the planets of a mesh are on two carriers, or if a rack
 ///           does not mesh with an external gear in the housing; `drive.gear` if a gear has no
 ///           teeth, if a planet has a rack, or if a double-helical gear has staggered halves or an
-///           impossible gap; `drive.body`, for example if a body is its own carrier
+///           impossible gap; `drive.body`, for example if a body is its own carrier; `drive.torque`
+///           if the torque and the speed of a single input have opposite signs
 std::optional<Error> check_graph(const DriveGraph& graph);
 
 /// A planet with all its meshes, or several planets of one carrier that mesh with each other, with

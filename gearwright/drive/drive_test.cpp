@@ -189,6 +189,18 @@ TEST(Drive, AnInputThatAbsorbsPowerIsReported) {
   EXPECT_NE(reported(-400).find("The input ring absorbs 66.67 % of the power"), std::string::npos);
 }
 
+// The torque and the speed of a single input have the same sign, because power flows in.
+TEST(Drive, ASingleInputDrives) {
+  PlanetarySpec set = simple_set(24, 18, 60, 0.98, 0.99);
+  for (const double speed : {1500.0, -1500.0}) {
+    for (const double torque : {40.0, -40.0}) {
+      set.speeds_rpm = {speed};
+      set.torque_Nm = torque;
+      EXPECT_EQ(error_field(set), speed * torque > 0.0 ? "" : "drive.torque") << speed << torque;
+    }
+  }
+}
+
 TEST(Drive, BadSetsNameWhatIsWrong) {
   PlanetarySpec set = simple_set(20, 25, 70, 0.98, 0.99);
   set.fixed = {{"ring", "sun"}};
