@@ -85,7 +85,7 @@ std::span<const NamedMaterial> named_materials();
 ///
 /// Formula   ISO 6336-5, clause 5, σ = A·x + B, with x in HV or HB depending on the kind
 /// Source    Printed reports confirm the values for case-hardened steel (1500, 430) and for
-///           34CrNiMo6 at 240 HB (700, 290; the line gives 704, 294). For the other kinds, compare
+///           34CrNiMo6 at 240 HB (700, 290; the line gives 705, 294). For the other kinds, compare
 ///           docs/theory/11-rating.md with the tables of the standard
 struct Limits {
   double sigma_Hlim, sigma_Flim;  ///< N/mm²
