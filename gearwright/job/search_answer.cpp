@@ -25,6 +25,10 @@ constexpr std::string_view kRatingUnused =
     "[rating] has no effect on this search. Give safety_flank_min and safety_root_min in [search] "
     "to rate its designs.";
 
+constexpr std::string_view kPairNotRead =
+    "The table [pair] has no effect on a search, which uses center_distance_mm and mounting of "
+    "[search].";
+
 // If there are more designs than this, the boundaries of their regions are omitted. Each curve of a
 // boundary has 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
@@ -109,6 +113,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (run.default_face_load) lines.push_back(face_load_line(run));
   if (problem.default_helix_deg) lines.push_back(default_helix_line(problem));
   if (problem.rating_unused) lines.emplace_back(kRatingUnused);
+  if (run.pair_not_read) lines.emplace_back(kPairNotRead);
   if (problem.draw)
     lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
   if (!run.answer.loaded.empty()) lines.push_back(loaded_line(problem, run.answer));
@@ -205,11 +210,7 @@ std::vector<Warning> search_warnings(const SearchRun& run) {
                      "--out DIR contains all designs.",
                      a.counts.feasible, a.designs.size()));
   }
-  if (run.pair_not_read) {
-    warn(WarningCode::not_read,
-         "The table [pair] has no effect on a search, which uses center_distance_mm and mounting "
-         "of [search].");
-  }
+  if (run.pair_not_read) warn(WarningCode::not_read, std::string(kPairNotRead));
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
          "The table [rating] has no effect on this search. This table is used only with "

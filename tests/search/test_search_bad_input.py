@@ -147,6 +147,8 @@ class Refused(Asked):
     def test_a_pair_beside_the_search_is_not_read_and_that_is_said(self):
         r = Run("search", spec(after="[pair]\ncenter_distance_mm = 100\n"), "--json", folder=folder())
         self.assertEqual([w["code"] for w in r.json["warnings"]], ["not_read"])
+        r = Run("search", spec(after="[pair]\ncenter_distance_mm = 100\n"), folder=folder())
+        self.assertIn("The table [pair] has no effect on a search", " ".join(r.out.split()))
 
     def test_take(self):
         for text, rank, words in ((spec(), 47, "must be 1 to 46"), (spec(contact_ratio_min=1.95), 1, "no design is feasible")):
