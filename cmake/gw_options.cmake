@@ -39,14 +39,12 @@ function(gw_target target)
   target_compile_definitions(${target} PRIVATE EIGEN_NO_CPUID EIGEN_DEFAULT_L1_CACHE_SIZE=32768)
   # Eigen computes blocks of six rows at once if the processor has fused multiply-adds, otherwise of four. The order of a
   # sum depends on it. All processors compute blocks of six rows of vectors of two doubles, without fusing.
-  target_compile_definitions(${target} PRIVATE EIGEN_HAS_SINGLE_INSTRUCTION_MADD)
-  if(EMSCRIPTEN OR CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
-    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/cmake/eigen_vectors)
+  # WebAssembly has no vectors (cmake/gw_wasm.cmake).
+  if(NOT EMSCRIPTEN)
+    target_compile_definitions(${target} PRIVATE EIGEN_HAS_SINGLE_INSTRUCTION_MADD)
   endif()
-  if(EMSCRIPTEN)
-    # WebAssembly has the vectors, the registers and the alignment of x86-64, as far as the order of a sum depends on them.
-    target_compile_definitions(${target} PRIVATE EIGEN_SSE2_ON_NON_MSVC_BUT_NOT_OLD_GCC
-                               EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/cmake/eigen_vectors)
   endif()
   if(WIN32)
     # Boost assumes these functions of C only on systems with POSIX, and computes its own elsewhere.

@@ -14,8 +14,7 @@ set(gw_libraries "")
 
 # Some errors are exceptions. Without this option, no catch block would run. -msimd128 is not used, because
 # clang 14 compiles vectors wrongly, both its own and those of Eigen (SSE2 with -fno-vectorize: ∂TE/∂f_Hβ1 of a
-# spur pair -2.29 instead of 5.73, and wrong ends of contact lines). The vectors of Eigen are therefore computed with
-# scalar instructions (cmake/eigen_vectors/emmintrin.h).
+# spur pair -2.29 instead of 5.73, and wrong ends of contact lines). The time-critical code is scalar anyway.
 add_compile_options(-fwasm-exceptions)
 add_link_options(-fwasm-exceptions)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")

@@ -1,2 +1,0 @@
-// Eigen includes this header of x86-64 beside emmintrin.h, which contains everything that it uses.
-#pragma once
