@@ -1,5 +1,5 @@
-// Computes the results of the verb `measure`, and describes a gear by another rack. Internal to
-// job/ and the programs.
+// Computes the results of the verb `measure`, and describes a gear by another rack.
+// Internal to job/ and the programs.
 #pragma once
 
 #include <optional>
