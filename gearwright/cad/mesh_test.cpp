@@ -145,11 +145,17 @@ TEST(Mesh, VolumeConvergesAsTheTolerance) {
 // from the exact surface. Tooth 0 and the adjacent halves of both spaces are measured.
 double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
   constexpr int kPoints = 600;  // per arc; a chord deviates from an arc of 5 mm radius by 1e-7 mm
-  std::vector<std::pair<Vec2, Vec2>> segments;
+  // Plain numbers, because the tests are compiled without optimisation: (x, y) + s (dx, dy),
+  // 0 ≤ s ≤ 1.
+  struct Segment {
+    double x, y, dx, dy, square;
+  };
+  std::vector<Segment> segments;
   for (const Arc& arc : body.outline.arcs) {
     const std::vector<Vec2> points = sample(arc, kPoints);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      segments.emplace_back(points[i], points[i + 1]);
+      const Vec2 d = points[i + 1] - points[i];
+      segments.push_back({points[i].x(), points[i].y(), d.x(), d.y(), d.squaredNorm()});
     }
   }
   const double pitch_half = kPi / std::abs(body.outline.teeth);
@@ -182,11 +188,16 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
           continue;
         }
         q.y() = std::abs(q.y());
+        const double qx = q.x(), qy = q.y();
         double nearest = 1e300;
-        for (const auto& [from, to] : segments) {
-          const Vec2 d = to - from;
-          const double s = std::clamp((q - from).dot(d) / d.squaredNorm(), 0.0, 1.0);
-          nearest = std::min(nearest, (from + s * d - q).squaredNorm());
+        for (const Segment *part = segments.data(), *end_part = part + segments.size();
+             part != end_part; ++part) {
+          const double x = qx - part->x, y = qy - part->y;
+          double s = (x * part->dx + y * part->dy) / part->square;
+          s = s < 0.0 ? 0.0 : s > 1.0 ? 1.0 : s;
+          const double ex = x - s * part->dx, ey = y - s * part->dy;
+          const double square = ex * ex + ey * ey;
+          if (square < nearest) nearest = square;
         }
         worst = std::max(worst, std::sqrt(nearest));
       }
