@@ -128,6 +128,10 @@ void set_rack_loads(TableReader& t, const GraphInput& in, DriveGraph& graph) {
   for (const char* key : {"speed_m_per_s", "force_N"})
     if (t.given(key) && !pitch)
       t.fail(key, "needs the pitch of the rack; give normal_module_mm of its pinion");
+  if (graph.inputs.size() == 1 && in.force_N.value_or(0.0) * in.speed_m_per_s.value_or(0.0) < 0.0)
+    t.fail("force_N",
+           "must have the sign of speed_m_per_s, because a single input drives; if the other end "
+           "drives, give that body as the input");
   constexpr double kSecondsPerMinute = 60.0;
   if (in.speed_m_per_s)
     graph.speeds_rpm = {*in.speed_m_per_s * kSecondsPerMinute * kMmPerM / *pitch};

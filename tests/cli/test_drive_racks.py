@@ -63,6 +63,16 @@ mesh = [{ gears = ["r", "p"] }]
         self.assertIn("r 30, rack, 0.1276 m/s", page)
         self.assertLessEqual(set(re.findall(r'href="#([^"]*)"', page)), set(ids))
 
+    def test_a_single_input_drives(self):
+        """Force and speed of a rack, and torque and speed of a shaft, have the same sign. The error has the keys
+        that were given."""
+        lift = LIFT.replace('input = "shaft"', 'input = "bar"').replace('output = "bar"', 'output = "shaft"')
+        for drive, load, speed in ((LIFT, "torque_Nm", "speed_rpm"), (lift, "force_N", "speed_m_per_s")):
+            for sign in (1, -1):
+                run = Run("drive", drive.replace("speed_rpm = 60", f"{speed} = 2").replace("torque_Nm = 10", f"{load} = {sign * 10}"))
+                self.assertEqual(run.status, 0 if sign > 0 else 1, run.err)
+                self.assertIn("" if sign > 0 else f"drive.{load} = -10: must have the sign of", run.err)
+
     def test_a_rack_is_not_rated(self):
         """ISO 6336 does not cover a rack. The verdict names its mesh, and the listing has no empty row."""
         rating = '[rating]\nlife_h = 10000\nquality = 6\nface_load_factor = 1.2\nmaterial = "16MnCr5"\n'

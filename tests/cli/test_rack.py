@@ -254,6 +254,10 @@ class ARack(unittest.TestCase):
             self.assertAlmostEqual(rack["over_pin_mm"], over, 12)
             self.assertIn(f"{over:.4f}".rstrip("0"), texts)
 
+    def test_parts_that_are_not_judged_are_named(self):
+        judged = lambda verb: Run(verb, RACK + "[errors]\ncrossing_deg = 0.02\n", "--json").json["verdict"]["not_judged"]
+        self.assertEqual([judged("pair"), judged("contact")], [["contact"], []])
+
     def test_the_report_shows_the_contact_under_errors(self):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "out"

@@ -248,6 +248,12 @@ class Rexs(unittest.TestCase):
                 self.assertEqual(run.returncode, 1, name)
                 self.assertIn(word, run.stderr)
             self.assertEqual(list(Path(folder).iterdir()), [])
+            halves = Path(folder) / "halves.toml"
+            halves.write_text("[[stage]]\n[[stage.gears]]\nteeth = 20\nnormal_module_mm = 2\nhelix_angle_deg = 25\n"
+                              "face_width_mm = 48\ndouble_helical = { gap_mm = 8 }\n[[stage.gears]]\nteeth = 40\n")
+            run = raw("export", str(halves), "--rexs", str(Path(folder) / "made.rexs"))
+            self.assertEqual([run.returncode, "s1_gear1: is double-helical" in run.stderr], [1, True], run.stderr)
+            self.assertEqual(list(Path(folder).iterdir()), [halves])
             broken = Path(folder) / "broken.rexs"
             broken.write_text("<model version=\"1.0\"><components></model>")
             run = raw("pair", str(broken))
