@@ -108,8 +108,9 @@ std::string manual_page(const CLI::App& app) {
   out +=
       ".SH \"EXIT STATUS\"\n.TP\n.B 0\nDone.\n.TP\n.B 1\nThe input is wrong or the gears are "
       "impossible; the message names the key.\n.TP\n.B 2\nThe command line is wrong.\n.TP\n.B "
-      "3\nThe system failed, for example because a file does not exist, the disk is full or memory "
-      "is short.\n.TP\n.B 4\nWith \\-\\-strict: the verdict is not green.\n.TP\n.B 5\nA defect in "
+      "3\nThe system failed, for example because a file does not exist, the disk is full or there "
+      "is not enough memory.\n.TP\n.B 4\nThe option \\-\\-strict is given, and the verdict is not "
+      "green.\n.TP\n.B 5\nA defect in "
       "Gearwright; please report the message and the spec.\n.SH FILES\n.TP\n.I "
       ".gearwright_files\nThe list of files in the folder of a run. The next run removes each file "
       "of the list that it does\nnot write again, unless the file was changed.\n";

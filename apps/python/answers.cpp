@@ -336,16 +336,18 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   });
   m.def("fit", &fit, py::arg("spec"),
         "Computes the values that are absent in the gears and in [pair] of the spec. Returns a "
-        "Record with branches (the solutions), reason (why there is no solution) and nearest (near "
-        "values with a solution); load(branch.spec) returns the Pair of a branch");
+        "Record with branches (the solutions), reason (why there is no solution) and nearest (the "
+        "nearest values that have a solution); load(branch.spec) returns the Pair of a branch");
   m.def("compensate", &compensate, py::arg("pair"),
         "Computes corrections for errors; arguments are keys of [compensate] (corrections=, "
-        "range=, centering=). Returns a Record with corrections, before and after; "
-        "load(record.spec) returns the corrected pair");
+        "range=, centering=). Returns a Record with the attributes `corrections`, `before` (scores "
+        "without corrections) and `after` (scores with corrections); load(record.spec) returns the "
+        "corrected pair");
   m.def("scatter", &scatter, py::arg("pair"),
         "Computes the effect of tolerances on a pair; arguments are keys of [scatter] (errors=, "
-        "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, "
-        "probability, indices, worst and robust. The attribute `members` of the Record is a "
+        "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, and "
+        "with the attributes `probability`, `indices`, `worst` and `robust`. The attribute "
+        "`members` of the Record is a "
         "structured array with a row for each sample and a column for each input and quantity, "
         "named by its key. The method to_parquet(path) of the Record writes these rows to a "
         "Parquet file. The attribute `figures` contains the figures of the report and, with "

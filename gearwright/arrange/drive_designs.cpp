@@ -156,8 +156,9 @@ class Candidates {
   bool sorts_by_mass() const { return problem_.objectives.front() == DriveObjective::mass; }
 
   // Estimates the strength of trains with this module in all stages, from a few candidates that are
-  // rated. The candidates are rated with their greatest face widths. If an earlier estimate for
-  // each module is given, they are rated with the least widths by this estimate.
+  // rated. Without earlier estimates, the candidates are rated with their greatest face widths. If
+  // `earlier` contains an estimate for each module, they are rated with the least face widths that
+  // are sufficient according to these estimates.
   TrainStrength strength_of(const std::vector<std::size_t>& which, double module,
                             const std::vector<TrainStrength>& earlier = {}) {
     std::vector<std::optional<RatedTrain>> trains(kEstimateTrains);
@@ -189,8 +190,8 @@ class Candidates {
     std::iota(which.begin(), which.end(), std::size_t{0});
     std::vector<TrainStrength> strengths;
     for (const double m : problem_.modules) strengths.push_back(strength_of(which, m));
-    // The least widths are estimated from trains with nearly these widths, because a fit over a
-    // wide range of loads is less accurate.
+    // The least face widths are estimated with a second fit. Its trains are rated with the least
+    // widths of the first fit, because a fit that covers a wide range of loads is less accurate.
     std::vector<TrainStrength> narrow;
     if (problem_.face_width && sorts_by_mass())
       for (const double m : problem_.modules) narrow.push_back(strength_of(which, m, strengths));

@@ -49,9 +49,10 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
-/// Returns Young's modulus E of the given material, N/mm². If E is not given, the value of the
-/// named material is used. If the table does not contain the name, the value of the kind is used,
-/// and without a kind the value of steel.
+/// Returns Young's modulus E of the given material, N/mm². If E is not given, the function returns
+/// the value of the named material. If no name is given, or the table does not contain the name, it
+/// returns the value of the given `kind` of material. If `kind` is also absent, it returns the
+/// value of steel.
 ///
 /// Errors    `youngs_modulus` of `owner` for a plastic without a given number
 Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);

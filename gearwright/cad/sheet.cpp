@@ -128,8 +128,8 @@ constexpr std::array<char32_t, 32> kWindows{
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
 
-// The codes of Α … Ω and α … ω in the font Symbol; 0 for a code point to which Unicode assigns
-// no letter.
+// The codes in the font Symbol of the code points from Α to ω. A code is 0 if the code point is not
+// assigned in Unicode, or if its letter has an accent or a dieresis, which the font does not have.
 constexpr char32_t kAlpha = 0x0391, kLastGreek = 0x03C9;
 constexpr std::string_view kGreek{
     "ABGDEZHQIKLMNXOPR\0STUFCYW\0\0\0\0\0\0\0abgdezhqiklmnxoprVstufcyw", 57};

@@ -24,7 +24,7 @@ constexpr double kApart = 1.5, kClear = 2, kLeast = 4;
 // the circle. On the right-hand side, the dimensions end at the height kDimensionTop above the
 // circle, and the datum ends at kDatumTop.
 constexpr double kCentreLine = 3, kDimensionTop = 8, kDatumTop = 12;
-// Least distance from the outermost circle up to the frame of the runout of the tip circle.
+// Least height of the tolerance frame for the tip-circle runout above the outermost circle.
 constexpr double kTipFrame = 0.8;
 constexpr double kFaceLeader = -4;  // leader of the faces relative to the lower end of the section
 

@@ -83,7 +83,7 @@ void add_numbers(Quantities<DesignView>& q) {
       .column("helix#_deg")
       .digits(kFewDigits)
       .shown([](const DesignView& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
-  q.term("rack", "number of the rack, from 1; only with several racks",
+  q.term("rack", "position of the rack in the list of racks, from 1; absent if there is one rack",
          [](const DesignView& v) { return v.row->trial.rack + 1; })
       .column("rack")
       .when([](const DesignView& v) { return v.problem->racks.size() > 1; });

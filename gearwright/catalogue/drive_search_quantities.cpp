@@ -70,8 +70,8 @@ void add_found(Quantities<F>& q) {
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
            "relative variation, peak to peak, of the elastic rotation of the output under load "
            "[T13.33], for perfect teeth with a constant stiffness per length of the contact line. "
-           "Without a module, the profile shifts are assumed to be 0 and the face widths 10 m_n; "
-           "only with `objective` = `noise`",
+           "Without a module, the profile shifts are assumed to be 0 and the face widths 10 m_n. "
+           "This value is given only with `objective` = `noise`",
            [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
            "greatest diameter of the set, measured over the planets, over the suns and over the "

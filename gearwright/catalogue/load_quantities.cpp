@@ -308,7 +308,8 @@ const Quantities<LoadedPair>& load_point_quantities() {
              [](const LoadedPair& p) { return p.point.diameter; })
         .per_gear();
     q.number("height_mm", "place along the face", "z",
-             "height of the middle of the ellipse, from the middle of the face of each gear",
+             "axial position of the middle of the ellipse, from the middle of the face of each "
+             "gear",
              [](const LoadedPair& p) { return p.point.height; })
         .per_gear();
     q.flag("beyond_flank", "ellipse across an end of the flank",

@@ -173,7 +173,7 @@ std::function<Value(const void*)> getter(Unit unit, G get) {
   }
 }
 
-/// The quantities of a subject of any type, in the order of their keys.
+/// The quantities of a subject of any type, in the order in which they were added.
 class QuantityList {
  public:
   QuantityList() = default;

@@ -70,7 +70,8 @@ const KeyTable& straight_rack_keys() {
        Key::number("semi_topping_angle_deg", "", KeyRange::inside(0, 90),
                    &StraightRack::semi_topping_angle, "none",
                    "pressure angle of a ramp that starts at `tool_addendum` and cuts a tip "
-                   "chamfer; greater than α_n; instead of `tip_fillet_radius`")
+                   "chamfer; it must be greater than α_n, and it cannot be combined with "
+                   "`tip_fillet_radius`")
            .with_needs({"tool_addendum"}),
        Key::number("protuberance", "pr_P*", no_or_some_length(" (0 is none)"),
                    &StraightRack::protuberance, "0",

@@ -293,9 +293,10 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
   q.under(kSizing);
   q.number(
       "torque_holding_Nm", "greatest torque", "T_1",
-      "greatest torque on gear 1 for which the safeties are at least `safety_flank_min` and "
+      "greatest torque on gear 1 for which the safety factors are at least `safety_flank_min` and "
       "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque, "
-      "or if no K_Hβ can be computed near this torque with `face_load_factor = \"computed\"`",
+      "or if K_Hβ is to be computed (`face_load_factor = \"computed\"`), but cannot be computed "
+      "near this torque",
       &RatingAnswer::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width, up to 40 modules, for which the safeties satisfy the same limits as "

@@ -308,9 +308,9 @@ const Quantities<Probability>& probability_quantities() {
           [](const P& p) { return static_cast<long long>(p.count); });
     q.add(Type::index, "of", "number of all samples", "", "",
           [](const P& p) { return static_cast<long long>(p.of); });
-    q.number("lower", "lower end of the interval", "", "[T14.7]",
+    q.number("lower", "lower end of the confidence interval", "", "[T14.7]",
              [](const P& p) { return p.interval.lower; });
-    q.number("upper", "upper end of the interval", "", "[T14.7]",
+    q.number("upper", "upper end of the confidence interval", "", "[T14.7]",
              [](const P& p) { return p.interval.upper; });
   });
 }

@@ -24,7 +24,7 @@ void add_scattered_design(Quantities<D>& q) {
      const auto& helix = d.design.row->trial.helix;
      return std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])};
    }).per_gear();
-  q.term("rack", "number of the rack, from 1; only with several racks", [](const D& d) {
+  q.term("rack", "position of the rack in the list of racks, from 1; absent if there is one rack", [](const D& d) {
      return d.design.row->trial.rack + 1;
    }).when([](const D& d) { return d.design.problem->racks.size() > 1; });
   q.term("profile_shift", "[x1, x2]", [](const D& d) { return d.design.row->shift; }).per_gear();

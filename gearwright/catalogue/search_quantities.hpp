@@ -21,8 +21,8 @@ struct DesignView {
 
 const Quantities<DesignView>& design_quantities();
 
-/// A finished search, without its designs. There may be many designs, so design_quantities() reads
-/// them one by one.
+/// A finished search. search_quantities() does not list its designs, because there may be many.
+/// Callers pass each design to design_quantities() instead.
 struct SearchView {
   const SearchProblem* problem = nullptr;
   SearchAnswer answer;

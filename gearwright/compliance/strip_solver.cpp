@@ -95,8 +95,8 @@ StripSolver::StripSolver(const SectionMesh& mesh, const SectionMatrices& pattern
   find_factor_entries();
 }
 
-// The entries of a row of L are the nodes of the elimination tree that are reached from the entries
-// of the row of K.
+// Finds the positions of the entries of L. The entries of row k of L are in the columns of the
+// nodes on the paths in the elimination tree that lead from the entries of row k of K to node k.
 void StripSolver::find_factor_entries() {
   const auto n = static_cast<int>(free_.size());
   std::vector<int> parent(n, -1), reached_by(n, -1), count(n, 0), path, row(n);

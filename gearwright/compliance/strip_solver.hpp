@@ -58,7 +58,8 @@ class StripSolver {
   };
   std::vector<int> upper_begin_;  // index of the first entry of each column
   std::vector<Entry> upper_;
-  // Entries of L below the diagonal. Rows of L have the order in which elimination uses them.
+  // The entries of L below the diagonal. In `column_of_`, the entries of each row are in the order
+  // in which the elimination uses them.
   std::vector<int> row_begin_, column_of_;    // row by row: columns
   std::vector<int> lower_begin_, lower_row_;  // column by column: rows
 };

@@ -81,7 +81,8 @@ TEST(Continuous, DoesNotDependOnThePositions) {
 }
 
 TEST(Continuous, SlopesAreThoseOfDifferences) {
-  // (3) Slopes are compared with central differences of the span, for each error and for crowning.
+  // (3) span_slope() is compared with central differences of the span, for three kinds of error and
+  // for lead crowning.
   std::mt19937 seeded(16);
   const auto random = [&](double w) { return std::uniform_real_distribution<>(-w, w)(seeded); };
   const auto span_at = [](testing::SamplePair sample, FlankModifications m, ErrorKind kind,

@@ -15,10 +15,10 @@ struct ErrorMap {
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// Returns the map of the peak to peak of TE. `te_at(x, y)` must return TE over a pitch under the
-/// errors x and y, rad, as transmission_error() does. Several threads call it at the same time.
+/// Returns the map of the peak-to-peak TE. `te_at(x, y)` must return TE over one pitch, like
+/// transmission_error(), for the errors x and y. Several threads call `te_at` at the same time.
 ///
-/// Units     rad
+/// Units     TE in rad, errors in the caller's units
 /// Domain    x and y not empty (contract); `threads` 0 means one per core
 ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
                        const std::function<std::vector<double>(double, double)>& te_at,

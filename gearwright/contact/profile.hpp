@@ -42,8 +42,8 @@ struct TurnPerRemoval {
 
 class Profile {
  public:
-  /// Makes the piece of an outline that consists of one arc, on the side c. `twist` is the twist τ
-  /// of the gear, rad/mm. The normal of the surface depends on the twist.
+  /// Makes the piece from one arc of an outline. `side` is c. `twist` is the twist of the gear,
+  /// rad/mm. The normal of the surface depends on the twist.
   Profile(const Arc& arc, double side, double twist);
 
   /// The straight flank of a rack, θ(u) = side (half − slope u) for u_lo ≤ u ≤ u_hi.

@@ -17,8 +17,8 @@ constexpr int kDeepest = 10;  // greatest number of halvings, which gives at mos
 // the speed are about 3e-14. Each limit is well above the corresponding error.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
-// Newton's method ends when a step in the parameter x of a panel is at most this long, which is two
-// spacings of doubles at 1.
+// Newton's method ends when a step in the parameter x of a panel is at most this long. The length
+// is a little less than twice the distance from 1 to the next greater double.
 constexpr double kLastStep = 4e-16;
 
 }  // namespace

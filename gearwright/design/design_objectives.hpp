@@ -18,9 +18,10 @@ namespace gearwright {
 /// flanks, one for root 1 and one for root 2.
 ///
 /// The stress at the root is proportional to the load. The pressure on the flanks grows only with
-/// the square root of the load, so S_H is squared. Both flanks have the same pressure, and no
-/// profile shift changes the ratio of their safety factors. Therefore, only the weaker flank
-/// counts. If a limit is not given, it is 1. The result is absent if the row has no safety factors.
+/// the square root of the load, so S_H is squared. The contact stresses of the two gears differ
+/// only by the single pair contact factors Z_B and Z_D, so a profile shift changes the ratio of
+/// their S_H only a little. Therefore, only the weaker flank counts. If a required safety factor is
+/// not given, 1 is used. The result is absent if the row has no safety factors.
 ///
 /// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
 std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);

@@ -1,6 +1,10 @@
-// Tests functions whose intervals are known: (1) the ends are roots except for rounding; (2) a
-// narrow hump between two nodes is found; (3) a single point is an interval; (4) work counters: the
-// search for a maximum ends as soon as it cannot reach zero, and a root at a node needs no search.
+// Tests the search for intervals with functions whose intervals are known.
+//
+// (1) The ends of the intervals are the roots of the function, except for rounding.
+// (2) A narrow hump between two nodes is found.
+// (3) A single point is an interval.
+// (4) The number of evaluations is limited. The search for a maximum ends as soon as the maximum
+//     cannot reach zero, and a root at a node needs no search.
 #include "gearwright/design/intervals.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Computes the sums of shifts that meet all limits. If there is no such sum, computes the first
-// limit that no sum meets.
+// Computes the sums of shifts that meet all limits. If there is no such sum, finds the first limit
+// that no sum meets together with all limits before it.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 

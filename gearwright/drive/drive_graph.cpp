@@ -46,8 +46,8 @@ std::optional<Error> check_side(const DriveGraph& graph, std::size_t index) {
   }
   return Error{
       "drive.body", body.name,
-      "is clockwise from its planet, but it meshes with no planet that precedes it; list the "
-      "planet before this body"};
+      "has idler_side = \"clockwise\", but it does not mesh with a planet that is listed before "
+      "it; list the planet before this body"};
 }
 
 std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) {

@@ -142,7 +142,7 @@ struct PlanetGroup {
   std::size_t pins() const { return riders.size() * static_cast<std::size_t>(count); }
 };
 
-/// Returns the groups in the order of their first riders.   Domain  a checked graph
+/// Returns the groups in the order of the first body of each group.   Domain  a checked graph
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph);
 
 /// Returns the transverse pitch p_t of the rack on a body, mm, computed from the module of the

@@ -360,7 +360,8 @@ TEST(Drive, PlayOfEveryBodyIsTheRangeOverAllFlanks) {
   EXPECT_EQ(*drive.play(0, 2), drive.backlash->input);
 }
 
-// If the planet has one gear, the teeth of ring 2 pass it as often as the teeth of ring 1.
+// If the planet has one gear, this gear meshes with both rings, and both meshes have the same
+// frequency. The phases of each mesh follow from the number of teeth of its ring.
 TEST(Drive, EveryCentralGearHasItsPhases) {
   PlanetarySpec set;
   set.z(M::planet) = 21;

@@ -32,9 +32,9 @@ struct MeshSprings {
 /// is sufficient.
 std::vector<double> load_levels(int copies);
 
-/// Returns the springs of a mesh at the given rotations of gear 1, as in the contact analysis.
-/// `levels` are multiples of `nominal`. `nominal` is the force of an equal share of the load, N
-/// along the transverse line of action.
+/// Returns the springs of a mesh at the given rotations of gear 1, in rad. The rotations have the
+/// same zero as in the contact analysis. `levels` are multiples of `nominal`. `nominal` is the
+/// force along the transverse line of action under an equal share of the load, in N.
 ///
 /// Errors    `load` if, at a position, no teeth touch, or the iteration does not converge for a
 ///           force up to `nominal`; `load.slices` if the slices are narrower than the contact under

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// The raster surrounded by a frame of infinite nodes, so that every loop closes.
+// The raster, surrounded by a frame of nodes with infinite values, so that every loop closes.
 class Framed {
  public:
   Framed(const ContourField& field, double level) : field_(field), level_(level) {}

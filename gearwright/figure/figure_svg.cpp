@@ -222,7 +222,8 @@ class Writer {
   void words() {
     svg_.text({kEdge, 20}, words_of(f_.y), Anchor::start, "panel");
     if (!f_.note.empty()) svg_.text({at_.right, at_.note}, escaped(f_.note), Anchor::end, "panel");
-    // Words longer than the plot must not be cut off at the border of the picture.
+    // The label of the x axis can be wider than the plot, but the border of the picture must not
+    // cut it off.
     const double half = std::min(width_, width_of(words_of(f_.x))) / 2;
     const double middle = std::clamp((at_.left + at_.right) / 2, half, width_ - half);
     svg_.text({middle, at_.foot + 36}, words_of(f_.x), Anchor::middle, "tick");

@@ -20,9 +20,10 @@ void warn(Gear& gear, WarningCode code, std::string message);
 
 // A gear with circular-arc (Wildhaber-Novikov) teeth of any kind, cut by a rack of arcs.
 
-/// Returns the normal angle τ at which the envelope of the circle has the cusp nearest to the root.
-/// The cutter undercuts a convex tooth below this angle, and a concave tooth above it. Returns none
-/// if there is no cusp on the root side of the tip end of the arc.
+/// Returns the normal angle τ at which the envelope of the circle has a cusp. Cusps beyond the end
+/// of the arc at the tip of the tooth are ignored. If several cusps remain, the function returns
+/// the one nearest to this end. The cutter undercuts a convex tooth below this angle, and a concave
+/// tooth above it. Returns none if no cusp remains.
 ///
 /// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);

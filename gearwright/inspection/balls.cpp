@@ -158,8 +158,9 @@ namespace {
 // are nearest to each other. In every transverse plane, the points of the two helices deviate by
 // the angle δ from opposite positions.
 //
-// Relative to the diameter of the cylinder, the least distance is √(cos² (ε/2) + T sin² ε/4), where
-// ε solves ε − T sin ε = δ [T10.9]. The axial distance is √T sin ε/2 = (ε − δ)/(2 √T) [T10.35].
+// T is tan² β_K, where β_K is the helix angle on the cylinder. Relative to the diameter of the
+// cylinder, the least distance is √(cos²(ε/2) + (T/4) sin²(ε)), where ε solves ε − T sin(ε) = δ
+// [T10.9]. The axial distance is (√T/2) sin(ε) = (ε − δ)/(2 √T) [T10.35].
 struct Across {
   double distance, along;
 };

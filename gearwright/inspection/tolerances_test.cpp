@@ -205,9 +205,10 @@ TEST(Tolerances, HolesAndKeyways) {
   EXPECT_EQ(keyway_depth_deviation(36), 0.3);
 }
 
-// Printed keyways of hubs from other tables of DIN 6885-1 than the one in the code: a list of
-// single bores, and the catalogue Siemens MD 31.1 of 2016 with the ends of its rows. The bores of
-// 260 mm to 380 mm are not in these tables.
+// Keyways of hubs as printed in two tables of DIN 6885-1 that are not the source of the code. One
+// is a list of single bores. The other is the catalogue Siemens MD 31.1 of 2016, from which the
+// bores at the ends of the rows are taken. These two tables do not contain the bores from 260 mm to
+// 380 mm, whose values here are those of the table in the code.
 TEST(Tolerances, keyways_of_DIN_6885) {
   struct Printed {
     double bore, width, depth;

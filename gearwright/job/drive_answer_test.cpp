@@ -142,9 +142,9 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
   }
 }
 
-// Law: if a search gives no profile shifts, no external gear of a listed drive is undercut, and its
-// spec has the listed numbers. Every drive that is green with x = 0 is listed too, with at least
-// the same efficiency.
+// Law: if the spec of a search gives no profile shifts, no external gear of a listed drive is
+// undercut, and the spec of that drive leads to the numbers in the list. Every drive with a green
+// verdict for x = 0 is also listed, with at least the same efficiency.
 TEST(DriveAnswerTest, SearchesChooseProfileShifts) {
   struct Case {
     std::string keys, unshifted;

@@ -167,7 +167,8 @@ Json rating_of(const Json& tree, const SearchLimits& limits) {
 }
 
 // Returns the conditions that all designs satisfy, for example "every design runs without
-// interference, form clearance ≥ 0.02 modules, …"
+// interference and has a form clearance ≥ 0.02 modules, tip clearance ≥ 0.2 modules". If designs
+// with interference are allowed, the text begins with this fact instead of the first condition.
 std::string margin_line(const SearchLimits& limits) {
   std::string text =
       limits.avoid_interference

@@ -40,8 +40,9 @@ std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
 std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);
 
 /// Copies the accuracy grade of the rating to the table of the gear, so that the drawing of the
-/// gear has tolerances. Does nothing if the rating has no grade, if its grade is no class of the
-/// edition, or if the table has a grade. `which` is 0 for gear 1 and 1 for gear 2.
+/// gear has tolerances. Does nothing if the rating has no grade, if the edition of ISO 1328-1 that
+/// the rating uses does not contain this grade, or if the table already has a grade. `which` is 0
+/// for gear 1 and 1 for gear 2.
 void add_grade(Json& gear, const RatingInput& rating, std::size_t which);
 
 /// Returns a design as a spec for the other verbs.

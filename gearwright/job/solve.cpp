@@ -46,8 +46,8 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
     if (fit.empty()) return;
     notes.push_back({WarningCode::not_read,
                      fmt::format("`drawing.{}` = {} has no effect, because no external gear of the "
-                                 "spec has a {}. Give `gear1.bore` with {} to define it.",
-                                 key, printable(fit), of, with),
+                                 "spec has a {}. To define a {}, give {} in `gear1.bore`.",
+                                 key, printable(fit), of, of, with),
                      0});
   };
   if (!bore) {
@@ -56,7 +56,7 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
   }
   if (!keyway)
     note(spec.drawing.keyway_fit, "keyway_fit", "keyway",
-         "keyway, or keyway_width_mm and keyway_depth_mm");
+         "either keyway or both keyway_width_mm and keyway_depth_mm");
   return notes;
 }
 
@@ -158,8 +158,8 @@ std::optional<Error> two_gears_error(const JobSpec& spec) {
       "gear2.form", "rack",
       "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, outline, "
       "export and run compute a rack and its pinion. For `gearwright load` and `gearwright rate`, "
-      "a gear 2 with teeth = 200 can replace the rack; docs/spec.md describes the bore, flank "
-      "stress and life of this gear"};
+      "a gear 2 with teeth = 200 can replace the rack. docs/spec.md explains how to choose the "
+      "bore of this gear, and how its flank stress and its life differ from those of the rack"};
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {

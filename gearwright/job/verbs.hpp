@@ -100,12 +100,12 @@ struct BatchLine {
     violated,  ///< the text is the error of a defect of Gearwright (base/contract.hpp)
   } outcome = Outcome::answered;
 };
-/// Computes a spec in JSON with `answer`. If this fails, the error becomes the text of this line,
-/// so the other lines of the batch are not affected. If the spec lacks an input that `use`
-/// requires, this is also an error.
+/// Reads a spec in JSON and computes its result with `answer`. If this fails, the text of this line
+/// is the error, and the other lines of the batch are not affected. It is also an error if the spec
+/// lacks an input that `use` requires.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& spec, SpecUse use = SpecUse::geometry);
-/// Computes a spec in JSON with a verb, like answer_json().
+/// Reads a spec in JSON and computes its result with a verb, like answer_json().
 BatchLine batch_line(std::string_view verb, const std::string& spec);
 
 }  // namespace gearwright

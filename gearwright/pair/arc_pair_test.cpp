@@ -233,7 +233,8 @@ TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
   }
 }
 
-// If a tip enters the mating fillet above the root circle, no other warning explains the collision.
+// If a tip enters the mating fillet above the root circle, only the warning `overlap` explains the
+// collision.
 TEST(ArcPair, an_overlap_is_said) {
   int overlaps = 0;
   for (double longer = 0.0; longer < 4.0; longer += 0.05) {

@@ -1,9 +1,9 @@
-// Tests the laws of the teeth of a rack in section.
+// Tests the laws of the outline of the teeth of a rack.
 //
-// (1) Each arc begins at the end of the preceding one, from the middle of the space to the middle
-//     of the tooth.
-// (2) At the datum line the tooth is s_n thick. It is h_a high and h_f deep. The fillet is a circle
-//     of the normal section that is tangent to land and flank.
+// (1) The arcs lead from the middle of the space to the middle of the tooth, and each arc begins at
+//     the end of the preceding one.
+// (2) The thickness at the datum line is s_n, the addendum is h_a and the dedendum is h_f. In the
+//     normal section, the fillet is a circle that is tangent to the land and to the flank.
 // (3) If the rack rolls along the pinion, it envelops the flank of the pinion: at every rotation,
 //     some flank of the rack touches the pinion, and no point of the pinion is inside the rack.
 #include "gearwright/pair/rack_pair.hpp"

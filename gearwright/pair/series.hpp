@@ -1,11 +1,12 @@
-// Approximates the least centre distance of two gears, for manual calculation. The approximations
-// are power series in the sum of the shifts, and virtual spur gears in place of helical gears.
+// Approximates the least centre distance of two gears, for manual calculation. Some approximations
+// are power series in the sum of the shifts. Others replace helical gears by virtual spur gears.
 // Other parts of the program solve the involute equation instead (pair/working_angles.hpp).
 //
 //   α        pressure angle, in the normal section, of the rack that describes both gears, rad
 //   β_i, x_i helix angle on the reference cylinder, and shift including the allowance
 //   σ        +1 external pair, −1 internal pair
-//   z_i′     virtual number of teeth z_i/cos³ β_i, negative if internal  w_i  z_i′/(z_1′ + z_2′)
+//   z_i′     virtual number of teeth z_i/cos³ β_i, negative if internal
+//   w_i      z_i′/(z_1′ + z_2′)
 //   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), the variable of the series
 //   M_2, M_4 Σ w_i tan² β_i, Σ w_i tan⁴ β_i
 //   Δ        α_n − α, where α_n is the pressure angle of the common rack at the least distance

@@ -301,10 +301,11 @@ struct AngleInterval {
 };
 
 /// Returns the α at which the backlash-free distance of a crossed pair is a, in ascending order. If
-/// a exceeds the least distance, there are two such α, but the greater α may lie beyond the domain.
-/// If a is less than the least distance, there is no such α.
+/// a exceeds the least distance, there are two such α. If the greater α exceeds π/2, it is not
+/// returned. If a is less than the least distance, there is no such α. If K ≤ 0, a(α) has no
+/// minimum, and at most one α is returned.
 ///
-/// Domain    external pair with K > 0. If K ≤ 0, a(α) has no minimum, and at most one α is returned
+/// Domain    external pair
 template <class T>
 std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& a) {
   using std::asin;

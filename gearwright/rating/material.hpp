@@ -80,13 +80,14 @@ struct NamedMaterial {
 
 std::span<const NamedMaterial> named_materials();
 
-/// The allowable stress numbers for quality MQ at a hardness, computed from the line of ISO 6336-5;
-/// none if the kind has no such line or if the hardness is outside the range of this line.
+/// The allowable stress numbers for quality MQ. limits_of() computes them for a hardness, from the
+/// line of ISO 6336-5. It returns none if the kind has no such line, or if the hardness is outside
+/// the range of this line.
 ///
 /// Formula   ISO 6336-5, clause 5, σ = A·x + B, with x in HV or HB depending on the kind
 /// Source    Printed reports confirm the values for case-hardened steel (1500, 430) and for
-///           34CrNiMo6 at 240 HB (700, 290; the line gives 705, 294). For the other kinds, compare
-///           docs/theory/11-rating.md with the tables of the standard
+///           34CrNiMo6 at 240 HB (700, 290; the line gives 705, 294). The values for the other
+///           kinds have not been compared with the standard (docs/theory/11-rating.md)
 struct Limits {
   double sigma_Hlim, sigma_Flim;  ///< N/mm²
 };

@@ -17,8 +17,8 @@ namespace {
 using testing::case_hardened;
 using testing::printed_pair;
 
-// The type is not an aggregate. C++20 would accept values for some members of an aggregate and set
-// the others to 0.
+// Rating and RatedPair are not aggregates. C++20 would accept values for some members of an
+// aggregate and set the others to 0.
 static_assert(!std::is_constructible_v<Rating, RatingEdition>);
 static_assert(!std::is_constructible_v<RatedPair, std::array<RatedGear, 2>>);
 

@@ -201,7 +201,9 @@ std::string halves_of(const ContactReport& report, const FigureForm& form) {
     pictures.push_back(pattern_part(half, form) + gap_part(half, form));
   return halves_part(
       "both halves transmit the same torque, and the transmission error is the mean of both halves",
-      "The halves are mirror images of each other, so they touch at mirrored places.", pictures);
+      "The halves are mirror images of each other, so the contact on one half mirrors the contact "
+      "on the other.",
+      pictures);
 }
 
 }  // namespace

@@ -60,8 +60,9 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// Returns half the width and height, mm, of a picture that contains `half` with a margin. `aspect`
-// is the ratio of width to height of the picture.
+// Returns half the width and half the height of a picture, mm. `half` is half the width and half
+// the height of its content. The picture has a margin around the content. `aspect` is the ratio of
+// width to height of the picture.
 Vec2 window(const Vec2& half, double aspect) {
   const double wide = std::max(1.17 * half.x(), 1.2 * aspect * half.y());
   return {wide, wide / aspect};

@@ -62,7 +62,8 @@ std::string_view page_script();
 std::string page_head(std::string_view title, std::string_view version,
                       std::string_view more_style = "");
 
-/// A page with all its parts. Title, version and spec are plain text, and all other texts are HTML.
+/// A page with all its parts. Title, version, level and spec are plain text. `style` is CSS and
+/// `script` is JavaScript. All other texts are HTML.
 struct ReportPage {
   std::string title, version;
   std::string kind;           ///< subject of the page, above the title

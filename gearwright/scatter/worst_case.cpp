@@ -267,8 +267,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
   const std::vector<double> x = box.with_whole_waves(std::move(starts[0].x));
   WorstMember worst{box.value(starts[0].badness), x, box.is_corner(x), {}};
-  // The corners of a bore lie outside its circle, because the bound is valid only if the polygon of
-  // the corners contains the circle.
+  // The circle in which a bore can lie is replaced by a polygon. The corners of the polygon lie
+  // outside the circle, because the bound is valid only if the polygon contains the circle.
   if (quantity == ScatterQuantity::least_play)
     worst.bound = least_play_bound(setup, task,
                                    box.all_corners(1 / std::cos(std::numbers::pi / kDirections)));

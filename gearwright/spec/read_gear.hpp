@@ -33,7 +33,7 @@ StraightRack read_straight_rack(TableReader& gear);
 /// Otherwise, it is `given`.
 std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given);
 
-// Reads [gearN.measured] and the other data that are known about the gear.
+// Functions that read [gearN.measured] and the other data that are known about a gear.
 
 /// True if the table of a gear gives a module, a base cylinder or a cutter.
 bool has_module(const Json& gear);

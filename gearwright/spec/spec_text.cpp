@@ -157,8 +157,8 @@ std::optional<int> deep_line(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Finds two runs of digits in a line. The first run ends before one position, and the second run
-// begins at another position.
+// Two runs of digits in a line. The first run ends immediately before the position `before`, and
+// the second run begins at the position `after`. Each run may be empty.
 struct Digits {
   std::string_view before, after;
 };

@@ -29,8 +29,9 @@ bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// Returns the unit of a path whose last key is in the catalogue, or null. Any other word is a name
-// that the user chose, and has no unit even if it ends like the key of a length.
+// Returns the unit of a path if its last part is a key of the catalogue, and null otherwise. A part
+// that is not a key is a name that the user chose. Such a name has no unit, even if it ends in
+// "_mm" like the key of a length.
 const KeyUnit* declared_metric(std::string_view path) {
   return is_spec_key(path) ? metric_unit(path) : nullptr;
 }

@@ -41,7 +41,7 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
                        format_number(arc.end.deg(), arc.begin.deg())));
   }
   if (arc.radius == 0.0 && !(arc.end.rad() < arc.begin.rad()))
-    return bad_arc(i, "a corner (radius 0) must turn from the greater to the smaller normal angle");
+    return bad_arc(i, "the normal angle must decrease at a corner (an arc with radius 0)");
   return std::nullopt;
 }
 
@@ -56,7 +56,8 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     if (chain.empty()) {
       if (std::abs(begin.x() + rack.dedendum) > kSameRackPoint) {
         return bad_arc(i, fmt::format("begins {} modules below the datum line, but must begin at "
-                                      "the tip of the cutter, which lies at the dedendum, {}",
+                                      "the tip of the cutter, which is {} modules below the datum "
+                                      "line (the dedendum)",
                                       format_number(-begin.x(), rack.dedendum),
                                       format_number(rack.dedendum, -begin.x())));
       }

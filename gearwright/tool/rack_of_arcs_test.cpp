@@ -142,8 +142,9 @@ TEST(RackOfArcs, joints_and_corners) {
 }
 
 TEST(RackOfArcs, half_thickness_where_an_arc_crosses_the_datum_line) {
-  // The half thickness is ρ cos θ − a with sin θ = b/ρ. For P, it is measured from the middle of
-  // the space.
+  // The arc crosses the datum line at the distance ρ cos θ − a, where sin θ = b/ρ. For F, this
+  // distance is half the thickness. For P, it is half the width of the space, so half the thickness
+  // is π/2 minus this distance.
   EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_F())), std::sqrt(1.4 * 1.4 - 0.0625) - 0.43,
               1e-15);
   EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_P())),

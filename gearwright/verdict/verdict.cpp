@@ -84,9 +84,10 @@ std::string running(const InvolutePair& p, const std::string& contact) {
 
 std::string running(const ParallelPair& p) {
   if (const auto face = face_width_needed(p)) {
-    return running(p, fmt::format("The pair runs only as a helical gear pair, because the "
-                                  "transverse contact ratio is {:.3f} and the total contact ratio "
-                                  "is {:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
+    return running(p, fmt::format("The pair runs with continuous contact only because its teeth "
+                                  "are helical. The transverse contact ratio is {:.3f}, and the "
+                                  "total contact ratio is {:.3f}. The pair needs a face width "
+                                  "b ≥ {:.2f} mm. There is",
                                   p.mesh.true_ratio, p.contact_ratio_true(), *face));
   }
   return running(

@@ -39,7 +39,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
   EXPECT_EQ(face_width_needed(wide), 3.46);
   const std::string words = report_input(wide).verdict.headline;
   EXPECT_NE(
-      words.find("runs only as a helical gear pair, because the transverse contact ratio is 0.686"),
+      words.find("only because its teeth are helical. The transverse contact ratio is 0.686"),
       std::string::npos)
       << words;
   EXPECT_NE(words.find("needs a face width b ≥ 3.46 mm. There is no backlash (ISO/TR 10064-2 "

@@ -1,8 +1,8 @@
-// Keeps the text, the results and the history of the design on screen.
+// Holds the text of the current design, its results and its history.
 //
-// The text defines the design. Form, pictures and tables show the design. A change is sent to the
-// engine, which returns the new text (with its comments) and the new results. Then all views are
-// updated.
+// The text defines the design. The form, the pictures and the tables show the design. A change is
+// sent to the engine, which returns the new text (with its comments) and the new results. Then all
+// views are updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
