@@ -24,9 +24,9 @@ void add_scattered_design(Quantities<D>& q) {
      const auto& helix = d.design.row->trial.helix;
      return std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])};
    }).per_gear();
-  q.term("rack", "position of the rack in the list of racks, from 1; absent if there is one rack", [](const D& d) {
-     return d.design.row->trial.rack + 1;
-   }).when([](const D& d) { return d.design.problem->racks.size() > 1; });
+  q.term("rack", "position of the rack in the list of racks, from 1; absent if there is one rack",
+         [](const D& d) { return d.design.row->trial.rack + 1; })
+      .when([](const D& d) { return d.design.problem->racks.size() > 1; });
   q.term("profile_shift", "[x1, x2]", [](const D& d) { return d.design.row->shift; }).per_gear();
   q.term("center_distance_mm", "of the design, as mounted",
          [](const D& d) { return d.design.row->center_distance; });
