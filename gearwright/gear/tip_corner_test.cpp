@@ -121,18 +121,24 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
 // the axis of the ring while the tooth passes through the space on the x axis.
 double swept_angle(const std::vector<Vec2>& cutter, double distance, double ratio, double rho) {
   double best = -1e300;
+  // Tests are not optimised, so the loop works on plain doubles and computes angles only where the
+  // outline crosses the circle.
+  std::vector<double> coordinates;
+  for (const Vec2& p : cutter) coordinates.insert(coordinates.end(), {p.x(), p.y()});
+  const double* const first = coordinates.data();
+  const double* const end = first + coordinates.size();
   const auto reach =
       [&](double turned) {  // rotation of the ring; the cutter rotates `ratio` times as far
         const double c = std::cos(turned * ratio), s = std::sin(turned * ratio);
-        double angle = -1e300, before = 0.0, polar_before = 0.0;
-        for (std::size_t i = 0; i < cutter.size(); ++i) {
-          const Vec2 p(distance + c * cutter[i].x() - s * cutter[i].y(),
-                       s * cutter[i].x() + c * cutter[i].y());
-          const double r = p.norm(), polar = std::atan2(p.y(), p.x()) - turned;
-          if (i > 0 && (r - rho) * (before - rho) <= 0.0 && r != before)
-            angle = std::max(angle,
-                             polar_before + (polar - polar_before) * (rho - before) / (r - before));
-          before = r, polar_before = polar;
+        double angle = -1e300, x_before = 0.0, y_before = 0.0, before = 0.0;
+        for (const double* q = first; q != end; q += 2) {
+          const double x = distance + c * q[0] - s * q[1], y = s * q[0] + c * q[1];
+          const double r = std::sqrt(x * x + y * y);
+          if (q != first && (r - rho) * (before - rho) <= 0.0 && r != before) {
+            const double from = std::atan2(y_before, x_before), to = std::atan2(y, x);
+            angle = std::max(angle, from + (to - from) * (rho - before) / (r - before) - turned);
+          }
+          x_before = x, y_before = y, before = r;
         }
         return angle;
       };

@@ -92,30 +92,39 @@ std::vector<Vec2> outline_of(const Gear& gear) {
   return all;
 }
 
-bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
+// Polygons as lists x, y, x, y …: tests are not optimised, so their loops use plain doubles.
+std::vector<double> coordinates_of(const std::vector<Vec2>& polygon) {
+  std::vector<double> list;
+  for (const Vec2& p : polygon) list.insert(list.end(), {p.x(), p.y()});
+  return list;
+}
+
+bool inside(double x, double y, const std::vector<double>& polygon) {
   bool in = false;
-  for (std::size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {
-    const Vec2 &a = polygon[i], &b = polygon[k];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
-      in = !in;
-  }
+  const double* const end = polygon.data() + polygon.size();
+  const double* b = end - 2;
+  for (const double* a = polygon.data(); a != end; b = a, a += 2)
+    if ((a[1] > y) != (b[1] > y) && x < (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) + a[0]) in = !in;
   return in;
 }
 
 // True if a point of the rack is inside the pinion, or if a point of the pinion is inside the rack.
-bool shapes_overlap(const std::vector<Vec2>& pinion, const Vec2& axis,
-                    const std::vector<Vec2>& rack) {
+bool shapes_overlap(const std::vector<double>& pinion, const Vec2& axis,
+                    const std::vector<double>& rack) {
+  const auto away = [x = axis.x(), y = axis.y()](const double* p) {
+    return std::sqrt((p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y));
+  };
   double reach = 0.0;
-  for (const Vec2& p : pinion) reach = std::max(reach, (p - axis).norm());
+  for (std::size_t i = 0; i < pinion.size(); i += 2) reach = std::max(reach, away(&pinion[i]));
   double nearest = reach;
-  for (const Vec2& p : rack) {
-    const double away = (p - axis).norm();
-    nearest = std::min(nearest, away);
-    if (away < reach && inside(p, pinion)) return true;
+  for (std::size_t i = 0; i < rack.size(); i += 2) {
+    const double distance = away(&rack[i]);
+    nearest = std::min(nearest, distance);
+    if (distance < reach && inside(rack[i], rack[i + 1], pinion)) return true;
   }
-  return std::any_of(pinion.begin(), pinion.end(),
-                     [&](const Vec2& p) { return (p - axis).norm() > nearest && inside(p, rack); });
+  for (std::size_t i = 0; i < pinion.size(); i += 2)
+    if (away(&pinion[i]) > nearest && inside(pinion[i], pinion[i + 1], rack)) return true;
+  return false;
 }
 
 TEST(DriveReport, ADrawnRackMeshesWithItsPinionAtAllTimes) {
@@ -134,9 +143,10 @@ TEST(DriveReport, ADrawnRackMeshesWithItsPinionAtAllTimes) {
     bool too_far = false;
     for (int step = 0; step <= kSteps; ++step) {
       const double t = static_cast<double>(step) / kSteps - 0.5;
-      const auto drawn = pinion.shown(t);
-      EXPECT_FALSE(shapes_overlap(drawn, pinion.at, rack.shown(t))) << teeth << " at " << t;
-      too_far = too_far || shapes_overlap(drawn, pinion.at, rack.shown(t, 1.02));
+      const auto drawn = coordinates_of(pinion.shown(t));
+      EXPECT_FALSE(shapes_overlap(drawn, pinion.at, coordinates_of(rack.shown(t))))
+          << teeth << " at " << t;
+      too_far = too_far || shapes_overlap(drawn, pinion.at, coordinates_of(rack.shown(t, 1.02)));
     }
     EXPECT_TRUE(too_far) << teeth;
   }
