@@ -279,7 +279,7 @@ int CommandLine::unknown_verb(const std::string& word) const {
     const std::string& name = sub->get_name();
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
-    // Two equal letters at the beginning of a word compensate one wrong letter.
+    // If the first two letters of both words agree, one wrong letter is not counted.
     const bool alike = word.size() > 2 && name.starts_with(word.substr(0, 2));
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name) - alike;
     if (off >= least) continue;

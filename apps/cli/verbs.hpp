@@ -42,8 +42,8 @@ struct Options {
 
 // All functions of this file throw IoError if the system fails.
 /// Runs any verb of the table. Prints the answer as JSON, CSV or text. If a proposal or the graph
-/// of a drive is requested, prints its spec instead. If the spec has already been read, it is
-/// passed as `text`.
+/// of a drive is requested, prints the spec of this proposal or graph instead. If the spec has
+/// already been read, it is passed as `text`.
 int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);
 /// `gear --as-rack`: prints how another rack describes the same teeth.
 int gear_as_rack(const Options& o);

@@ -1,4 +1,5 @@
-// Watches a long computation. Its progress is reported on stderr, and the program ends on request.
+// Watches a long computation. Reports its progress on stderr, and ends the program if the user
+// presses Ctrl-C or if the program receives SIGTERM.
 #pragma once
 
 #include <array>

@@ -46,8 +46,8 @@ py::array_t<T> array_of(std::vector<T> numbers, std::vector<py::ssize_t> shape) 
 class StructuredArray {
  public:
   StructuredArray() = default;
-  /// Makes an array with one column for each number, flag and word of the table whose number of
-  /// values is fixed.
+  /// Makes an array with one column for each number, flag and word of the table. Lists of variable
+  /// length get no column.
   explicit StructuredArray(const QuantityTable& table);
   /// Adds a column with the given type ("f8", "i8", "?", "U7") and shape. Returns its index.
   std::size_t add(const std::string& name, const std::string& format,

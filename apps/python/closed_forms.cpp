@@ -84,7 +84,7 @@ py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std
 
 using Out = CandidateBatch::Out;
 
-// Returns the index in CandidateBatch of the column that pair_table gives this name.
+// Returns the index in CandidateBatch of the column that has this name in pair_table().
 std::size_t place_of(const std::string& name) {
   for (const auto& [known, place] : {std::pair{"center_distance", Out::center_distance},
                                      {"working_pressure_angle", Out::tan_working},

@@ -2,10 +2,11 @@
 
     pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT is the package in the build folder
 
-The tag names the oldest glibc for which two conditions hold (PEP 600). This glibc has the symbols that the module and
-its libraries need, and all systems with it have a libstdc++ with the symbols that they need. The folder gearwright.libs
-contains fmt, TBB and the other libraries, so the module itself needs only libraries on which a wheel may depend. The
-wheel contains the list of these libraries (SPDX) with their licences.
+The tag names the oldest glibc for which two conditions hold (PEP 600). First, this glibc has the
+symbols that the module and its libraries need. Second, every system with this glibc has a libstdc++
+with the symbols that the module and its libraries need. The folder gearwright.libs contains fmt,
+TBB and the other libraries, so the module itself needs only libraries on which a wheel may depend.
+The wheel contains the list of these libraries (SPDX) with their licences.
 """
 
 import platform

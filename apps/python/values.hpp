@@ -35,8 +35,8 @@ std::string docstring(const QuantityTable& table, const std::string& name);
 /// records become dicts by key.
 py::object by_key(const Value& value);
 py::object to_python(const Json& tree);
-/// Converts a value to an attribute. Numbers are in mm and rad, lists of any number of numbers
-/// become arrays, other lists become tuples, and records become Records.
+/// Converts a value to an attribute. Numbers are in mm and rad. Lists of numbers whose length is
+/// not fixed become arrays, other lists become tuples, and records become Records.
 py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
 

@@ -48,9 +48,10 @@ ShiftProblem shift_problem(const GivenPair& given) {
 // Gives the pinion of an internal pair at least the profile shift that avoids undercut, and the
 // internal gear the rest of the sum of the shifts. Neither shift is given by the user.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
-  // Greatest sum of the profile shifts at which the pinion gets an additional shift. At a greater
-  // sum, the tip of the internal gear leaves no room for this shift, and internal pairs with 9 to
-  // 25 teeth on the pinion and 30 to 90 teeth on the internal gear are worse with it.
+  // Greatest sum of the profile shifts at which the pinion gets an additional shift. `shifts.x1` is
+  // this sum here, because the pinion has the whole sum. At a greater sum, the tip of the internal
+  // gear leaves no room for this shift, and internal pairs with 9 to 25 teeth on the pinion and 30
+  // to 90 teeth on the internal gear are worse with it.
   constexpr double kGreatestSum = -0.4;
   const GearInput& pinion = *given.gears[0];
   if (pinion.basic || pinion.cut_by || shifts.x1 > kGreatestSum) return;

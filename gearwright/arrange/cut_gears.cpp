@@ -67,10 +67,10 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
 }
 
 // Returns the default profile shift of a gear that has its own cutter. The default applies if
-// neither the profile shift of the gear nor `profile_shift_pair` (e) is given. A gear with the
-// default shift meshes with its mating gear without backlash at the given centre distance. The
-// result is none if there is no centre distance, no mating gear with its own rack, or no such
-// shift.
+// neither the profile shift of the gear nor `profile_shift_pair` (e) is given. With the default
+// shift, the gear meshes with its mating gear without backlash at the given centre distance.
+// Returns none if no centre distance is given, if there is no mating gear with its own rack, or if
+// no such shift exists.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);

@@ -42,8 +42,8 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
 /// gear. An error of a computed tip diameter names a given value from which the diameter follows.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// Changes an error of a pair that names rack data, although the gear is given by its base
-/// cylinder. The changed error names the data of the base cylinder.
+/// If an error of a pair names rack data of a gear that is given by its base cylinder, returns an
+/// error that names the corresponding data of the base cylinder. Returns any other error unchanged.
 Error of_basic(const Error& error, const GivenPair& given);
 
 /// Attributes an error about the radius at which the tooth ends to the given tip clearance.

@@ -146,9 +146,10 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
   return least;
 }
 
-// Returns the profile shifts to be tried. If the search gives shifts, only these shifts are tried.
-// Otherwise, the result does not depend on the face width of the candidate. The list is empty if
-// the teeth of the candidate are impossible or have no centre distance within the limits.
+// Returns the profile shifts to be tried. If [search] gives shifts, only the shifts of the
+// candidate are tried. Otherwise, the shifts are computed with the greatest face widths, so they do
+// not depend on the face widths of the candidate. The list is empty if the teeth of the candidate
+// are impossible or have no centre distance within the limits.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};
@@ -158,8 +159,8 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   if (!own) return {};
   std::vector<GearShifts> all = shift_trials(own->graph, problem_.center_distance);
   if (!coaxial) return all;
-  // Every stage gets the centre distance of the first stage. The profile shift of the wheel of the
-  // stage is computed from this distance.
+  // Every stage gets the centre distance of the first stage. The profile shift of the wheel of each
+  // later stage is computed from this distance.
   for (GearShifts& shifts : all) {
     DriveGraph graph = own->graph;
     for (std::size_t g = 0; g < shifts.size(); ++g) graph.gears[g].shift = shifts[g];
@@ -224,8 +225,8 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
 }
 
 // Returns the least widths of the meshes, in steps, with which all meshes have the required
-// safeties. If a width above the lower limit is reduced by one step, at least one mesh does not
-// have them.
+// safeties. If any width above the lower limit is reduced by one more step, at least one mesh no
+// longer has them. `below` is one step less than the lower limit.
 std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double below,
                                                const std::vector<double>& greatest) const {
   const std::size_t meshes = greatest.size();
@@ -287,7 +288,8 @@ void DriveDesigner::set_steps(DriveCandidate& candidate, const std::vector<doubl
 // wider faces, the least common lower limit of all widths is found by bisection.
 DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
   if (!problem_.face_width) return with_widths(std::move(candidate));
-  // Limits that are whole numbers of steps may have a rounding error, which kRounding compensates.
+  // If a limit is a whole number of steps, the quotient may have a rounding error. kRounding is
+  // greater than this error.
   constexpr double kRounding = 1e-9;
   const double below = std::ceil((*problem_.face_width)[0] / task_.face_step - kRounding) - 1.0;
   std::vector<double> greatest;  // in steps

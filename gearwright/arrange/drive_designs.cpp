@@ -42,7 +42,8 @@ class Candidates {
     if (problem_.kind != DriveKind::train || !task_.rate) return 0;
     // The estimate assumes usual profile shifts. A given centre distance may require others.
     if (problem_.center_distance) return 0;
-    // The mass of a train before it is computed follows from the estimate.
+    // If the trains are sorted by mass, the estimate also gives the mass of each train before the
+    // train is computed.
     if (problem_.module_per_stage && sorts_by_mass() && all_->size() > kRankedDrives)
       return choose_first_modules();
     std::map<double, std::vector<std::size_t>> of_module;
@@ -64,8 +65,8 @@ class Candidates {
     return hopeless;
   }
 
-  // Computes the candidates with these indices. Returns only an error of the spec, which is the
-  // same for all candidates.
+  // Computes the candidates with these indices. Returns an error only if it concerns the spec and
+  // is therefore the same for all candidates.
   std::optional<Error> compute(const std::vector<std::size_t>& which, DriveDesigns& designs) {
     std::vector<std::optional<DriveOutcome>> outcomes(which.size());
     begin_stage(task_.progress, "computing the next drives",
@@ -115,11 +116,12 @@ class Candidates {
     return which;
   }
 
-  // True if the next candidate that has not been computed may be better than the designs of this
-  // group, by the first objective. False if all stages have the same module. A candidate may be
-  // better if it is smaller than the last design of the group or, for the objective mass, lighter
-  // than the first design. Masses are compared with the first design only, because estimated masses
-  // are inexact and nearly all candidates might be lighter than the last design.
+  // True if the next candidate that has not been computed may be better by the first objective than
+  // a design of this group. False if all stages of a train have the same module. For the objective
+  // size, a candidate may be better if it is smaller than the last design of the group. For the
+  // objective mass, it may be better if its estimated mass, less a margin, is below the mass of the
+  // first design. Masses are compared with the first design only, because estimated masses are
+  // inexact and nearly all candidates might be lighter than the last design.
   bool may_improve(std::span<const FoundDrive> group) {
     while (first_ < all_->size() && made_[first_] != State::open) ++first_;
     if (!problem_.module_per_stage || first_ == all_->size()) return false;
@@ -181,10 +183,11 @@ class Candidates {
     return TrainStrength(rated);
   }
 
-  // Gives each stage the least module with which, by the estimate, the stage may have the required
-  // safeties. A train is left out if a stage has no such module or if the train is too large. The
-  // other trains are sorted by the first objective. Their sizes are estimated without margins, and
-  // their masses with the least face widths. Returns the number of trains that are left out.
+  // Gives each stage the least module with which, according to the estimate, the stage may have the
+  // required safeties. A train is left out if a stage has no such module or if the train is too
+  // large. The other trains are sorted by the first objective. Their sizes are estimated without
+  // margins, and their masses with the least face widths. Returns the number of trains that are
+  // left out.
   std::size_t choose_first_modules() {
     std::vector<std::size_t> which(all_->size());
     std::iota(which.begin(), which.end(), std::size_t{0});
@@ -278,8 +281,8 @@ class Candidates {
     return false;
   }
 
-  // Returns false, without counting the candidate, if kMostComputedDrives candidates of the
-  // same module are already counted.
+  // Counts the candidate as computed and returns true. If kMostComputedDrives candidates of the
+  // same module are already counted, only returns false.
   bool take(std::size_t i) {
     std::size_t& computed = computed_[(*all_)[i].module];
     if (computed == kMostComputedDrives) return false;

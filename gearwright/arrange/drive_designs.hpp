@@ -1,6 +1,6 @@
-// Computes the designs of a search for drives. Candidates are computed as by the verb `drive`, in
-// their order. A candidate is rated if the search requires safeties. It is listed if its verdict is
-// green.
+// Computes the designs of a search for drives. The candidates are computed in their order, in the
+// same way as by the verb `drive`. They are also rated if the search requires safeties. A candidate
+// is listed if its verdict is green.
 #pragma once
 
 #include <array>
@@ -90,15 +90,15 @@ class DriveDesigner {
   explicit DriveDesigner(const DriveDesignTask& task) : task_(task), problem_(task.problem) {}
 
   /// Returns the design of a candidate. If the search gives no profile shifts, several are tried,
-  /// and the best design by the objectives is returned.
+  /// and the best design according to the objectives is returned.
   DriveOutcome operator()(DriveCandidate candidate) const;
-  /// Returns a train with its face widths, by default the greatest ones, and, for each stage, the
-  /// greatest safeties over all trials of profile shifts. Returns none if the train cannot be
-  /// rated.
+  /// Rates a train. If the candidate has no face widths, the greatest ones are used. The result
+  /// contains the train with its face widths and, for each stage, the greatest safeties over all
+  /// trials of profile shifts. Returns none if the train cannot be rated.
   std::optional<RatedTrain> rated(DriveCandidate candidate) const;
-  /// Returns the greatest specific sliding |ζ| of a train with the profile shifts, of all trials,
-  /// that make it least. It is 0 if the teeth cannot be made, because the train is then left out
-  /// for another reason.
+  /// Returns the least value, over all trials of profile shifts, of the greatest specific sliding
+  /// |ζ| of a train. The result is 0 if the teeth cannot be made, because the train is then left
+  /// out for another reason.
   double least_sliding(DriveCandidate candidate) const;
 
  private:

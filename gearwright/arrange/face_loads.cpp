@@ -76,7 +76,7 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
 
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
                                              const Safeties& wanted, FaceLoads& faces) {
-  // Greatest relative difference between the input torque and the result.
+  // Greatest relative difference between T and the torque with the required safeties at K_Hβ(T).
   constexpr double kSameTorque = 2e-6;
   constexpr int kMostSteps = 12;
   double log_torque = std::log(input.torque);

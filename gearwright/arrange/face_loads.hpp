@@ -33,7 +33,7 @@ class FaceLoads {
   /// `face_load_factor` of `input` has no effect.
   ///
   /// Errors    those of rate() and judge_load(); `rating.face_load_factor` if the load cannot be
-  ///           computed at any position
+  ///           computed at some position
   Result<double> at(const RatedPair& pair, RatingInput input);
 
  private:

@@ -96,7 +96,8 @@ struct ToleranceInput {
   /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;
   std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
-  /// Circular runout of the tip circle and of both faces to the axis, µm, used on drawings only.
+  /// Circular runout of the tip circle and of both faces relative to the axis, µm, used on drawings
+  /// only.
   std::optional<double> tip_runout_um, face_runout_um;
 
   bool says_thickness() const { return series || span || over_balls; }
@@ -128,9 +129,9 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// Returns the input for a gear whose spec is complete, except that a face width of 0 is absent.
-  /// To have the profile shift computed by arrange(), the caller resets `profile_shift` in the
-  /// returned input.
+  /// Returns the input for a gear with a complete spec. Only the face width may be absent, which is
+  /// indicated by the value 0. To have the profile shift computed by arrange(), the caller resets
+  /// `profile_shift` in the returned input.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;

@@ -47,7 +47,7 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
 
 /// Makes a change that the verdict proposes, in the same way as the user would make it. Returns
 /// false if the input gives the number in another form, or if a cutter or other data determine the
-/// number; `given` must then be discarded, because it may already be changed.
+/// number. In this case, `given` must be discarded, because it may already be changed.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 /// Returns the verdict on the gears. Messages name members of the input, such as
@@ -66,8 +66,8 @@ Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 /// design.
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
-// Judges a drive. The verdict is the worst finding of its meshes and its assembly. A remedy is
-// tried on the whole drive before it is proposed.
+// Judges a drive. The level of the verdict is that of the worst finding of the meshes and the
+// assembly. A remedy is tried on the whole drive before it is proposed.
 
 struct DriveChange {
   Adjustable what;

@@ -109,9 +109,9 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// Returns the stiffness of the pair without errors and modifications, with faces that are wider by
-// the factor `wider` under the same line load. If `solid` is true, the bodies are solid. The
-// accuracy is low, but sufficient for ratios. NaN if no such pair can be computed.
+// Returns the stiffness of the pair without errors and modifications. The faces are wider by the
+// factor `wider`, and the line load is the same. If `solid` is true, the bodies are solid. The
+// accuracy is low, but sufficient for ratios. Returns NaN if no such pair can be computed.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
   LoadRequest request = task.request.undeflected();
@@ -132,8 +132,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effect of a narrow helical face, and the effect of bodies that are not held at the same
-// diameter as solid bodies. Both need new compliance tables.
+// Adds the effect of a narrow helical face, and the effect of bodies that are held at a diameter
+// other than that of solid bodies. Both effects need new compliance tables.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

@@ -108,7 +108,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // The first torque is sufficient, because no torque affects whether teeth touch.
+  // Whether teeth touch does not depend on the torque, so only the first torque is examined.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(

@@ -93,9 +93,10 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
 /// the callers repeat the computation with fewer slices until there is a solution.
 bool halve_slices(std::array<int, 2>& slices);
 
-/// Returns the contact without root stress for the helix slope deviations ±`deviation`, mm over the
-/// common face, normal to the flank, at no more than 16 positions per pitch. Rotations in the
-/// request take precedence.
+/// Returns the contact for the helix slope deviations −`deviation` and +`deviation`, without root
+/// stress and at no more than 16 positions per pitch. `deviation` is in mm over the common face,
+/// normal to the flank. If the request contains rotations, they are used instead of these
+/// positions.
 std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
                                               const PairCompliance& compliance, double deviation);
 
@@ -111,7 +112,8 @@ Warning held_without_bore(const std::string& gear, WarningCode code, double diam
 /// Returns the warning that an edge of a tooth carries load under these torques, N mm.
 Warning edge_carries_at(const std::vector<double>& torques);
 
-// Mesh stiffness and root stress by ISO 6336, for comparison with the results of loaded contact.
+// Mesh stiffness and root stress according to ISO 6336, for comparison with the results of loaded
+// contact.
 
 /// Returns the values of ISO 6336 for solid discs, at each torque for which `answer` contains
 /// contact. The list is empty if the standard does not cover the pair.
@@ -147,9 +149,9 @@ Result<std::vector<LoadTask>> load_tasks_of_halves(
 /// only one half is computed.
 bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
 
-/// Derives the input for one half, with half of the torque and the deflections over this half, from
-/// the input for the whole gears. If `below` is true, the half is at z < 0. Its rotations and the
-/// direction of z then apply to its mirror image. Probes are omitted.
+/// Derives the input for one half from the input for the whole gears. It has half of the torque,
+/// and the deflections over this half. If `below` is true, the half is at z < 0, and its rotations
+/// and the direction of z are those of its mirror image. Probes are omitted.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);
 

@@ -11,8 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// Returns the default measuring diameter. It is the reference diameter if this lies on the usable
-// flank or if there is no usable flank, and otherwise the middle of the flank.
+// Returns the default measuring diameter. It is the reference diameter if this diameter lies on the
+// usable flank, or if there is no usable flank. Otherwise, it is the diameter in the middle of the
+// flank.
 double default_chord_diameter(const Gear& g) {
   const double d = g.reference_diameter;
   const auto flank = usable_flank(g);

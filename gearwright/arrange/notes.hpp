@@ -28,7 +28,7 @@ std::optional<Warning> note_shifts(const GivenPair& given);
 std::optional<Warning> note_rack(const GearInput& gear, int which);
 
 /// Returns an error if `pair.choose_profile_shifts` is false. The message names the absent shifts
-/// and gives possible values.
+/// and the values that they would have by default.
 ///
 /// Domain    shifts_follow(given), with computed shifts
 std::optional<Error> forbidden_shifts(const GivenPair& given);
@@ -64,9 +64,10 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
 void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings);
 
-/// Warns of a jam, of lost contact, of contact below the usable flank of a gear without undercut,
-/// and of searches that did not converge. `least_play` is none if the flanks of `driving` or of
-/// `other` never touch. For a pinion and its rack, `gears` contains only the pinion.
+/// Warns of a jam, of lost contact, of contact at the root end of the usable flank of a gear
+/// without undercut, and of searches that did not converge. `least_play` is none if the flanks of
+/// `driving` or of `other` never touch. For a pinion and its rack, `gears` contains only the
+/// pinion.
 void warn_of_contact(const ContactResult& driving, const ContactResult& other,
                      std::optional<Angle> least_play, const std::vector<const Gear*>& gears,
                      std::vector<Warning>& warnings);

@@ -32,9 +32,10 @@ namespace gearwright {
 
 enum class ReliefLength { short_relief, long_relief };
 
-/// Start diameters of the tip relief and of the root relief of gear `which`, mm. None if the axes
-/// cross or if the contact ratio of the flanks is at most 1. Long reliefs also need a contact ratio
-/// below 2, because otherwise there is no single pair contact.
+/// Start diameters of the tip relief and of the root relief of a gear, mm. relief_starts() returns
+/// none if the axes cross or if the contact ratio of the flanks is at most 1. It also returns none
+/// for long reliefs if the contact ratio is at least 2, because there is then no single pair
+/// contact.
 ///
 /// Formula   [T12.29]
 struct ReliefStarts {
@@ -45,8 +46,10 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
 
 /// True if some tip or root relief has an amount but no start.
 bool lacks_relief_start(const GivenPair& given);
-/// Returns the error about the first relief of a single gear without a start. The start of a relief
-/// can be computed only for a pair.
+/// Returns the error about the first relief that has no start, for a gear without a mating gear.
+/// Such a gear needs a given start, because the start can be computed only for a pair.
+///
+/// Domain lacks_relief_start(given)
 Error missing_relief_start(const GivenPair& given);
 
 /// Computes the start of each tip or root relief that has none, on both gears of a pair.

@@ -126,7 +126,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
 }
 
 // Returns the tip diameter at one end of its tolerance. At end 0 the tooth is shorter, and at end 1
-// it is longer. The longer tooth has the greater σ d_a.
+// it is longer. The longer tooth has the greater σ d_a, where σ is 1 for an external gear and −1
+// for an internal gear.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   const double side = gear.side();
   const auto [shorter, longer] = std::minmax({side * deviations[0], side * deviations[1]});

@@ -39,9 +39,8 @@ std::optional<Error> apply_tip_fits(Arranged& nominal);
 ///
 /// Errors    as arrange() for the gears at one end, with the field of the tolerance that causes the
 ///           error; `gearN.tolerance.tip_…` if the tip has a fillet; `pair.distance_…` if a gear
-///           has `cut_by`;
-///           `pair.backlash` if the tolerance of the centre distance alone changes the
-///           backlash by more than the given range of the backlash; `pair.distance_tolerance`
+///           has `cut_by`; `pair.backlash` if the tolerance of the centre distance alone changes
+///           the backlash by more than the given range of the backlash; `pair.distance_tolerance`
 ///           if ISO 286 has no such tolerance
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 

@@ -47,7 +47,8 @@ std::optional<Error> halve(GivenPair& given);
 ///           the teeth
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
 
-/// Returns the given groove diameter or d_f ∓ m_n/2, mm, or none without a gap.
+/// Returns the given groove diameter, mm. If it is not given, returns d_f − m_n/2 for an external
+/// gear and d_f + m_n/2 for an internal gear. Returns none without a gap.
 std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given);
 
 /// Returns a warning if staggered halves have no gap between them.

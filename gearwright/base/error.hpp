@@ -59,8 +59,8 @@ Error refused(std::string field, int value, std::string rule);
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule);
 
-/// The same error with the name of the owner `whole` in front of the field: in "gear1", the field
-/// "rack.dedendum" becomes "gear1.rack.dedendum".
+/// The same error with the name of the owner `whole` in front of the field. If `whole` is "gear1",
+/// the field "rack.dedendum" becomes "gear1.rack.dedendum".
 Error within(std::string_view whole, Error error);
 
 /// The error of a derived value, attributed to the input that causes it: "pair.center_distance =

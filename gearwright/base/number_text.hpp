@@ -13,9 +13,10 @@ std::string fixed_decimals(double x, int decimals);
 /// The number with at most `most` decimals and without trailing zeros: "1.5", "2".
 std::string short_decimals(double x, int most);
 
-/// The number rounded up or down to this many decimals. It is used for limits that users copy, so
-/// that a printed lower limit is not less than x and a printed upper limit is not greater. A number
-/// that already has at most `decimals` decimals, apart from rounding errors, is returned unchanged.
+/// The number rounded up or down to this many decimals. These functions are used for limits that
+/// users copy. A lower limit is rounded up, so that the printed limit is not less than x, and an
+/// upper limit is rounded down. If x has at most `decimals` decimals, apart from rounding errors,
+/// these decimals are returned.
 ///
 /// Domain    finite, decimals ≥ 0
 double rounded_up(double x, int decimals);
@@ -26,8 +27,8 @@ inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a
 /// The number with at most this many significant digits and no trailing zeros: 0.1, not 0.100000.
 std::string with_digits(double x, int digits);
 
-/// The number of significant digits, at least six, that is needed to distinguish x from `other`.
-/// The result is six if x and `other` are equal.
+/// The least number of significant digits, but at least six, with which x and `other` are written
+/// differently. The result is six if x and `other` are equal.
 int digits_between(double x, double other);
 
 /// A rough count with three significant digits, without an exponent below 10⁶: 1020, 2.5e+10.

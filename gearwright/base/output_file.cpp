@@ -33,8 +33,8 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
   }
 }
 
-// The file that is finally written. If the given path is a link, this is the target of the
-// link, so that the link is kept.
+// The file that write_file() creates or replaces. If the given path is a link, this is the target
+// of the link, so that the link is kept.
 struct Target {
   fs::path path;
   bool straight;  // true if the path is a device or a pipe. It is then written directly, because

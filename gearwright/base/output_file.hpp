@@ -1,4 +1,5 @@
-// Output files appear completely or not at all, because a temporary file is written and renamed.
+// Output files appear completely or not at all, because a temporary file is written first and then
+// renamed.
 #pragma once
 
 #include <filesystem>

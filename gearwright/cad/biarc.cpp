@@ -11,19 +11,20 @@ namespace gearwright {
 namespace {
 
 constexpr double kStraight = 1e-9;  // mm; an arc with a smaller sagitta is written as a line
-// One arc replaces a biarc if the angles between the chord and both end tangents differ by less
-// than this value, rad.
+// One arc replaces a biarc if the angle from the start tangent to the chord and the angle from the
+// chord to the end tangent differ by less than this value, rad.
 constexpr double kOneCircle = 1e-9;
-// The first number is the shortest length of a biarc, relative to the arc. The second is the error
-// of the search for the longest possible biarc, relative to its length. Lengths are measured in the
-// parameter of the arc.
+// The first number is the length of the shortest biarc, in units of the curve parameter, which runs
+// from 0 to 1 along the arc. The second number is the relative error of the length that the search
+// for the longest possible biarc finds.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Returns the bulge of an arc that starts in the direction `tangent` and ends at the end of the
-// chord. The bulge is tan(φ/2), where φ is the angle from the start direction to the chord.
+// Returns the bulge tan(φ/2) of an arc that starts in the direction `tangent` and ends at the end
+// of `chord`. φ is the angle from `tangent` to `chord`. If the sagitta is less than kStraight, the
+// bulge is 0.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
@@ -52,12 +53,12 @@ Biarc join(const End& a, const End& b) {
   // d is the positive root of the quadratic equation in biarc.hpp, in a form without cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
-  // The second arc follows from the same formula, with exchanged ends and reversed direction.
+  // The bulge of the second arc is computed from its end to its start, which changes its sign.
   return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
 }
 
-// The circle of the arc (from, bulge, to), described by one of its points, the normal at this point
-// and the curvature.
+// The circle of an arc, described by one point of the circle, the unit normal at this point and the
+// curvature kappa, 1/mm. If the arc is a line, kappa is 0.
 struct ArcCircle {
   Vec2 from;
   Vec2 normal;
@@ -84,8 +85,8 @@ class Fitter {
     return {arc_.point(u), {std::cos(angle), std::sin(angle)}};
   }
 
-  // Returns the greatest distance from the biarc to the exact curve between u0 and u1. Points of
-  // the curve beyond the normal at the joint are compared with the second arc.
+  // Returns the greatest distance from the biarc to `looks` points of the exact curve between u0
+  // and u1. Points of the curve beyond the normal at the joint are compared with the second arc.
   double deviation(const Biarc& biarc, const End& a, const End& b, double u0, double u1,
                    int looks) const {
     const ArcCircle first = circle_of(a.point, biarc.joint, biarc.bulges[0]);
@@ -140,10 +141,9 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // With one or two maxima of the error along a biarc, and with a nearly constant speed of the
-  // parametrization, 24 samples give the greatest error within 1 %. In other cases, the
-  // verification with kVouching samples may find a greater error. The fit is then repeated with
-  // more samples.
+  // 24 samples give the greatest error within 1 % if the error along a biarc has one or two maxima
+  // and if the speed of the parametrization is nearly constant. In other cases, the verification
+  // with kVouching samples may find a greater error. The fit is then repeated with more samples.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
@@ -154,7 +154,8 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   return chain;
 }
 
-// Each piece is either mirrored or reversed. Both operations change the sign of a bulge.
+// The fit of an arc runs from root to tip. A piece of the contour is this fit, either mirrored or
+// reversed. Both operations change the sign of a bulge.
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm) {
   const auto fits = fit_arcs(outline, contour, tolerance_mm, fit_biarcs);

@@ -1,11 +1,13 @@
-// Approximates an arc of the outline by biarcs, a chain of circular arcs with common tangents.
+// Approximates an arc of the outline by a chain of biarcs. A biarc consists of two circular arcs
+// with a common tangent.
 //
 //   P_i   points of the chain, mm; about every second point lies on the exact curve
 //   T     unit tangents of the exact curve at the ends of one biarc
 //   b     bulge of an arc: tan(sweep/4), > 0 counter-clockwise; 0 is a line (the DXF convention)
 //
-// A biarc joins (P0, T0) and (P1, T1) by two arcs that meet at J with a common tangent. If the
-// tangents drawn from P0 and from P1 have the same length d,
+// A biarc joins (P0, T0) and (P1, T1) by two arcs that meet at J. Its control polygon runs from P0
+// along T0, then through J, and then along T1 to P1. If the legs at P0 and at P1 have the same
+// length d,
 //     J = (P0 + P1)/2 + d (T0 − T1)/2,   |v|² − 2d v·(T0 + T1) − 2d²(1 − T0·T1) = 0,  v = P1 − P0
 // (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature, the error of a biarc
 // grows with its length. The number of biarcs is therefore smallest if each biarc is as long as the
@@ -34,7 +36,7 @@ struct BiarcChain {
 ///           tangent error of the line times its length is below 4e-9 mm
 /// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each arc is as long as
 ///               possible
-///           (2) one arc represents a circular arc
+///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
 /// The closed outline of the whole gear in true circular arcs, as a chain of points and bulges.

@@ -64,7 +64,8 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
   constexpr double kDown = -pi / 2.0;
   const double r = bore.diameter / 2.0;
   const double half = bore.keyway_width / 2.0;
-  // The step follows from the sagitta, r (1 − cos(step/2)) = chord.
+  // The step has the sagitta r (1 − cos(step/2)) = chord, or the length facet_turn if this is
+  // smaller.
   const double step =
       std::min(facet_turn, 4.0 * std::asin(std::min(1.0, std::sqrt(chord / (2.0 * r)))));
 

@@ -29,8 +29,8 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 /// Returns a single wall around the full circle, beginning on the +y axis.
 WallLoop circle_loop(double radius);
 
-/// Returns the walls of the bore or rim as a loop. If the sides of the keyway would be slivers, the
-/// keyway is omitted.
+/// Returns the walls of the bore or rim as a loop. If the sides of the keyway are shorter than
+/// kShortestArc_mm, the keyway is omitted.
 ///
 /// Errors    those of hole_error() (gear/bore.hpp)
 /// Units     inner, outer: extreme radii of the outline, mm

@@ -10,8 +10,8 @@
 //
 // Every vertex, edge and pole is written once. The boundary poles of a face are also the poles of
 // its edges and of the neighbouring faces. Edges along the teeth are lines, or B-splines that
-// follow the helix. Every edge lies exactly on its faces, with one exception. A helix spline
-// deviates from a true cylinder by less than kHelixTarget_mm.
+// follow the helix. With one exception, every edge lies exactly on its faces: if a spline follows
+// the helix on a true cylinder, it deviates from the cylinder by at most kHelixTarget_mm.
 //
 // A double-helical gear has two stacks of walls, one for each hand of helix. The stacks are
 // adjacent, or a groove separates them. A solid with several gears has a stack for each gear. Plain

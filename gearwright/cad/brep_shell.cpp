@@ -103,7 +103,8 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   return finish(body.name);
 }
 
-// Adds as a face the part of the plane at the height z inside `outer` and outside `inner`.
+// Adds a plane face at the height z. Its boundary is `outer`, and its hole is `inner` if this is
+// not null.
 void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
   Ids loops{loop(outer)};
   if (inner != nullptr) loops.push_back(loop(*inner));
@@ -137,18 +138,18 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// Returns a coordinate system on the axis of the gear. In each call, only one argument writes
-// instances of the file. The instances would otherwise have numbers that depend on the compiler,
-// because C++ does not define the order in which arguments are evaluated.
+// Returns a coordinate system on the axis of the gear. In each call of this function, at most one
+// argument writes instances of the file. C++ does not define the order in which arguments are
+// evaluated, so with two such arguments the numbers of the instances would depend on the compiler.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());
   return out_.placement(origin, up, direction(x));
 }
 
-// Returns the coordinate system of a circle or cylinder. The x direction points away from the
-// middle of the wall. If a wall spans less than a full turn, it therefore never crosses the seam at
-// u = 0.
+// Returns the coordinate system of a circle or cylinder. The x direction is opposite to the middle
+// of the wall. A wall that spans less than a full turn therefore never crosses the seam of the
+// surface, which is at u = 0.
 Id ShellWriter::round_frame(const Wall& wall, double turn, double z) {
   const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
   return frame(z, {-middle.real(), -middle.imag(), 0.0});
@@ -262,7 +263,7 @@ Id ShellWriter::wall_surface(const Wall& wall, const WallSlice& slice, const Sid
     case WallShape::line: {
       GW_EXPECTS(slice.straight());
       const Vec3 way = along(wall, slice.low.turn);
-      // The normal, along × axis, points out of the loop. u runs along the loop and v upwards.
+      // The normal, `way` × z, points out of the loop. u runs along the loop, and v runs upwards.
       const Id normal = direction({way.y(), -way.x(), 0.0});
       const Id axes = out_.placement(begin.point, normal, direction(way));
       return out_.add(fmt::format("PLANE('',#{})", axes));

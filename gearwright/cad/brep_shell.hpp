@@ -64,8 +64,8 @@ class ShellWriter {
     double z;  ///< mm
   };
   /// Adds a neck and the two plane faces next to it. A neck is a cylinder between two sets of
-  /// teeth. `side` must be the value with which the teeth were added. For an internal gear, the
-  /// neck is the groove.
+  /// teeth: between two gears of a solid, or in the groove of a double-helical gear. `side` must be
+  /// the value with which the teeth were added.
   void add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side);
 
   /// Adds the bore or the rim and the two end faces, and completes the solid.
@@ -87,8 +87,8 @@ class ShellWriter {
     const Edge& top;
     const Edge& left;
   };
-  /// Adds the spline surface between its edges. pole(a, b) returns the inner poles of the surface.
-  /// a counts along the loop, and b counts upwards.
+  /// Adds the spline surface that is bounded by `sides`. pole(a, b) returns the inner poles of the
+  /// surface. a counts along the loop, and b counts upwards.
   Id spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
                     const std::function<Vec3(std::size_t, std::size_t)>& pole);
   /// Returns the bound of a face. The bound runs counter-clockwise, seen from the side to which the

@@ -28,7 +28,7 @@ struct ContourOptions {
 inline constexpr double kBiarcTolerance_mm = 0.001;
 /// With this tolerance, dimensions measured in a CAD system are correct in all displayed digits.
 inline constexpr double kSplineTolerance_mm = 1e-6;
-/// A tenth of the resolution of a plotter or of a browser at the greatest zoom.
+/// This tolerance is a tenth of the resolution of a plotter, and of a browser at the greatest zoom.
 inline constexpr double kSvgTolerance_mm = 1e-4;
 
 struct Drawing {

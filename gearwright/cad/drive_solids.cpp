@@ -15,8 +15,8 @@ namespace {
 // Depth of a neck below the roots of its gears, in modules. It is also the depth of the groove of a
 // double-helical gear.
 constexpr double kNeckDepth = 0.25;
-// Modules. kNeckWall is the least wall of a neck around the bore, and kNeckClearance is the least
-// distance between a neck and another gear.
+// kNeckWall is the least wall thickness between a neck and its bore, and kNeckClearance is the
+// least distance between a neck and another gear, both in modules.
 constexpr double kNeckWall = 0.5, kNeckClearance = 0.25;
 // Least length of a neck, mm. The surfaces of a shorter neck would be slivers.
 constexpr double kNeckLength_mm = 1e-3;
@@ -128,7 +128,7 @@ class Workpieces {
         bore(a).keyway_depth != bore(b).keyway_depth)
       return separate("their bores differ");
     const double low = end(below, 1.0), high = end(above, -1.0);
-    if (high - low < kNeckLength_mm) return separate("their faces overlap");
+    if (high - low < kNeckLength_mm) return separate("there is no gap between their faces");
     const std::size_t body = graph_.gears[below].body;
     double radius = reach(a);
     for (const std::size_t g : {below, above}) {
@@ -259,7 +259,7 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     area += size * size;
     widest = std::max(widest, size);
   }
-  // The length of a row of solids. It is chosen so that the occupied area is nearly square.
+  // Length of a row of solids, mm. With this length, the occupied area is nearly square.
   const double row = std::max(widest, 1.1 * std::sqrt(area));
   double x = 0.0, y = 0.0, tall = 0.0;
   for (ToothedBody& body : bodies) {

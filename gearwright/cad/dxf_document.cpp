@@ -140,7 +140,8 @@ void block(DxfPairs& out, const char* name, int owner, int begin, int end) {
   out.word(8, "0").word(100, "AcDbBlockEnd");
 }
 
-// Writes the layout of the model if `order` is 0. Otherwise writes an empty A3 sheet.
+// Writes a LAYOUT object. If `order` is 0, it is the layout of the model space. Otherwise, it is an
+// empty A3 sheet.
 void layout(DxfPairs& out, const char* name, int handle, int order, int record_handle,
             const SheetBox& extent) {
   const auto& [lo, hi] = extent;

@@ -1,5 +1,5 @@
-// Writes a DXF file. The file contains the entities, and the sections that readers of AutoCAD 2000
-// drawings require around the entities.
+// Writes a DXF file. The file contains the entities, and all other sections that readers of AutoCAD
+// 2000 drawings require.
 //
 // DXF is a list of pairs. Each pair is a group code on one line and a value on the next line. Every
 // object has a handle (code 5, hexadecimal) and names its owner (code 330). The owner of the

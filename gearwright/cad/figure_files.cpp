@@ -140,7 +140,8 @@ class PictureReader {
     if (!(ink->fill || ink->stroke) || (scale_.outlines && !styled && !ink->stroke)) return;
     const std::size_t first = sheet_.paths.size();
     add_pieces(d, place);
-    // Paths outside the sheet are omitted. In a figure of a mesh, most teeth are outside.
+    // If areas are filled, a shape that lies outside the sheet is omitted. In a figure of a mesh,
+    // most teeth are outside.
     if (!scale_.outlines && !on_sheet(first)) sheet_.paths.resize(first);
     for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
       sheet_.paths[i].ink = ink;

@@ -20,6 +20,8 @@ struct PictureScale {
   bool outlines = false;       ///< true if the areas of gears are not filled
 };
 
+/// Converts a picture to a sheet.
+///
 /// Domain    a picture that figure_svg() has written; any other text may cause an exception
 Sheet picture_sheet(const std::string& svg, const PictureScale& scale);
 

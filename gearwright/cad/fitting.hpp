@@ -49,8 +49,8 @@ struct StepLimits {
   double known;     ///< relative to the step; the search ends when its bracket is at most this wide
 };
 
-/// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search has
-/// the length `guess`.
+/// Returns the greatest x in (from, to] for which fits(x) is true. The search first checks `to`. If
+/// `to` does not fit, the next step has the length `guess`, but at most half of the interval.
 ///
 /// Accuracy  the step from `from` to x is too short by at most limits.known times its length;
 ///           if no step fits, its length is at most limits.shortest

@@ -107,7 +107,8 @@ class GearViews : public SheetViews {
     return all;
   }
 
-  // Returns the lengths of the axial section on paper, with dimensions and datum to its left.
+  // Returns the axial section with its lengths on paper, and with the space that the dimensions and
+  // the datum occupy to its left.
   AxialSection section() const {
     const bool grooved = input_.body.grooved();
     const double gap = grooved ? k_ * input_.body.two_helices->gap : 0.0;

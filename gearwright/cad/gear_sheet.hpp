@@ -54,8 +54,8 @@ struct GearSheet {
   double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 
-/// Returns a length in the unit of a sheet. Lengths in mm have at most four decimals, and lengths
-/// in inch have exactly four.
+/// Returns a length in the unit of a sheet. Lengths in mm have at most four decimals. Lengths in
+/// inches have exactly four decimals.
 std::string length_text(UnitSystem units, double mm);
 
 /// Makes the drawing of a gear. `tolerance_mm` is the tolerance of the outline, in mm on the gear.

@@ -252,8 +252,8 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // Returns the cap at the height z of the modified teeth. `radius` is the radius of the hole. For
-  // an internal gear, it is the radius of the rim or groove.
+  // Returns the cap at the height z of the teeth. z has an effect only if the flanks are modified.
+  // `radius` is the radius of the hole or, for an internal gear, the radius of the rim or groove.
   std::optional<Cap> cap_at(double radius, double z) const {
     const int teeth = body().outline.teeth;
     const Circle circle = ring_ ? rim_circle(radius, copies_, tolerance_)

@@ -33,7 +33,7 @@ namespace gearwright {
 
 struct MeshOptions {
   double chord_tolerance_mm = 0.005;  ///< largest distance of the triangles from the exact surface
-  Angle facet_turn_max = Angle::radians(0.26);  ///< largest turn of the surface over a facet
+  Angle facet_turn_max = Angle::radians(0.26);  ///< largest turn of the normal over a facet
 };
 
 using Triangle = std::array<std::uint32_t, 3>;

@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// A greater change of the normal direction, rad, is a crease. At a joint of arcs with a common
-// tangent, the change is only a rounding error.
+// If the direction of the normal changes by more than this value, rad, there is a crease. At a
+// joint of arcs with a common tangent, the change is only a rounding error.
 constexpr double kCrease = 1e-3;
 
 bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
@@ -130,8 +130,8 @@ WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& 
                    static_cast<int>(rings.size()) - 1, edges, copies, inward);
 }
 
-// `bottom` is the first vertex of the lowest ring. `second` is the first vertex of the second ring,
-// and the vertices of all higher rings follow.
+// Adds the quads between all rings. `bottom` is the first vertex of the lowest ring. `second` is
+// the first vertex of the second ring, and the vertices of all higher rings follow.
 WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::size_t first_shaded,
                                 int steps, const WallEdges& edges, int copies, bool inward) {
   const std::size_t columns = edges.crease.size();

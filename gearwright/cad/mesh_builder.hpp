@@ -1,6 +1,7 @@
 // Builds a triangle mesh from walls and caps, together with a copy for shading.
 //
-//   τ  twist, rad/mm     ζ  height, mm     column  one vertex per level   ring  vertices of a level
+//   τ        twist, rad/mm                              ζ      height, mm
+//   column   the vertices of a section point, one per level   ring   the vertices of a level
 //
 // A wall is one part of a section, repeated around the axis and moved along the axis by a screw
 // motion. A cap is plane and uses the end rings of walls. If the normal jumps at a vertex, the
@@ -45,15 +46,15 @@ struct Ring {
 };
 
 struct WallEdges {
-  std::vector<char> crease;  ///< per column: true if it is a crease
+  std::vector<char> crease;  ///< per column: true if the normal jumps there
   std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises
 };
 
 /// Returns the edges of a wall that is a screw surface.
 WallEdges edges_of(const std::vector<Column>& part, int copies, const Levels& levels);
 
-/// The end rings of a wall. Column i of copy k is the vertex `bottom` + k·columns + i of the lower
-/// ring, and the vertex `top` + k·columns + i of the upper ring.
+/// The end rings of a wall with n columns in each copy. Column i of copy k is the vertex `bottom` +
+/// k n + i of the lower ring, and the vertex `top` + k n + i of the upper ring.
 struct WallEnds {
   std::uint32_t bottom;
   std::uint32_t top;

@@ -27,11 +27,11 @@ std::string stl_bytes(const std::vector<MeshPart>& parts);
 /// Domain    at least one part, an XML text below 2³² bytes (contract)
 std::string threemf_bytes(const std::vector<MeshPart>& parts);
 
-/// Returns the bytes of a GLB file, which is glTF 2.0 in one binary file.
-/// Each part has one node with its pose as a matrix. It also has one mesh with smooth normals and
-/// one coloured material, unless `same_as` names an earlier part, whose mesh and material it then
-/// uses. Lengths are in metres, as glTF requires. The gear axis remains the z axis. In glTF, the z
-/// axis points at the viewer, so the viewer sees the end face of the gear.
+/// Returns the bytes of a GLB file, which is glTF 2.0 in one binary file. Each part has one node
+/// with its pose as a matrix. It also has one mesh with smooth normals and one coloured material.
+/// If `same_as` is set, the part uses the mesh and the material of that earlier part instead.
+/// Lengths are in metres, as glTF requires. The gear axis remains the z axis. In glTF, the z axis
+/// points at the viewer, so the viewer sees the end face of the gear.
 ///
 /// Accuracy  coordinates rounded to float32 metres: 2 nm at a radius of 50 mm
 /// Domain    at least one part, rigid poses, fewer than 2³² bytes in all (contract)

@@ -40,8 +40,8 @@ class ModifiedWriter {
     Corners below = base ? base->corners : corners_at(0);
     Edges floor = base ? base->edges : level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
-    // chain[i] has the upright edges at the start of wall i, one for each layer above the last
-    // plane.
+    // chain[i] collects the upright edges at the start of wall i. It contains one edge for each
+    // layer above the last plane z = const.
     std::vector<Edges> chain(n);
     std::size_t plane = 0;
     Edges plane_floor = floor;

@@ -38,7 +38,7 @@ struct ModifiedFit {
 /// Returns the levels from bottom to top. These are the planes that cut the teeth into slices, and
 /// the heights at which end reliefs begin. `slices` is the number of slices that the teeth as cut
 /// need. If a plane between slices is too near to the start of a relief, up to four more slices are
-/// tried.
+/// tried. If this does not help, the number of slices remains `slices`.
 std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
 
 /// Fits the teeth between these levels.

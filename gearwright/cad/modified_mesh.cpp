@@ -16,8 +16,8 @@ constexpr double kVisibleShare = 0.1;
 // Steps of the finite differences that give the normals. The first is a step in u. The second is a
 // step in z, relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
-// Greatest number of halvings of a segment. It is also the greatest number of doublings of the
-// levels between two starts of reliefs.
+// Greatest number of halvings of a segment. The number of steps between two starts of reliefs is
+// also doubled at most this often.
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // number of heights, and of points on an arc, at which c is examined
 
@@ -84,8 +84,9 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // Returns the greatest error in the middle of a segment if c (on a fillet, the shift) is
-  // interpolated linearly. The error due to the chords of the outline as cut is not included.
+  // Returns the greatest error in the middle of a segment, over all examined rows, if c is
+  // interpolated linearly. On a fillet, the displacement of the point is interpolated instead of c.
+  // The error due to the chords of the outline as cut is not included.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;

@@ -143,7 +143,8 @@ Vec3 ModifiedSide::flank(std::size_t arc, double u, const Row& row) const {
   return {xy.x(), xy.y(), zeta - c * at.n.z()};
 }
 
-// Solves |M| = r_a by the secant method. The iteration starts at the nominal edge.
+// Returns the u at which |M| equals the tip radius, by the secant method. The iteration starts at
+// the end of the nominal flank.
 double ModifiedSide::edge_of(const Row& row) const {
   const double radius = outline_->arcs[last_].end_point.norm();
   const auto beyond = [&](double u) { return flank(last_, u, row).head<2>().norm() - radius; };

@@ -34,7 +34,8 @@ void append_real(std::string& text, double value);
 /// Domain    any bytes; each byte that is not valid UTF-8 becomes U+FFFD
 std::string part21_string(std::string_view utf8);
 
-/// A file. It consists of a header and of the instances of its data section, one per line.
+/// A Part 21 file, which consists of a header and of the instances of its data section, one per
+/// line.
 class Part21 {
  public:
   explicit Part21(std::string_view header);

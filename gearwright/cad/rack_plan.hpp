@@ -19,7 +19,7 @@
 
 namespace gearwright {
 
-/// A strip of the section, which is an arc of tooth k or both halves of a land.
+/// The strip that belongs to one arc of tooth k, or to both halves of a land.
 struct RackStrip {
   ArcName name;
   double begin, end;  ///< s  mm, begin < end

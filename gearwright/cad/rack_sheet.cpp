@@ -61,7 +61,8 @@ class RackViews : public SheetViews {
   // Lengths in mm on paper.
   //   kAxis           projection of the datum line beyond the part
   //   kFirst, kNext   from the view to the first dimension line, and between dimension lines
-  //   kPast, kTail    lengths of a dimension beyond its line, and beyond an outside arrow
+  //   kPast           projection of an extension line beyond its dimension line
+  //   kTail           length of a dimension line beyond an outside arrow
   //   kGap, kBreak    between the views, and between the parts of an interrupted view
   //   kShelf          from the tips to the shelf of the flank texture
   //   kClear          distance of symbols and texts from other parts
@@ -95,8 +96,8 @@ class RackViews : public SheetViews {
     return face_texture_foot() + texture_right(*input_.surfaces.face_texture);
   }
 
-  // Returns the point at which the datum line crosses a flank of the first tooth. This is the flank
-  // on the side of the middle of the rack.
+  // Returns the point at which the datum line crosses a flank of the first tooth. This flank faces
+  // the middle of the rack.
   Vec2 flank() const {
     const RackGeometry& rack = input_.rack;
     const double thickness = rack.thickness / std::cos(rack.helix_angle.rad());
@@ -170,9 +171,9 @@ class RackViews : public SheetViews {
            std::vector<double>(5, 0.0), false);
   }
 
-  // Draws the outline with its middle at x. Its last three points are the corner of the roots at
-  // the end y > 0 and the two corners of the back. If the outline is open at one end, its line
-  // starts and ends at that end.
+  // Draws the outline with its middle at x. The last three points of `outline_` are the corner of
+  // the roots at the end y > 0 and the two corners of the back. If the drawn outline is open at one
+  // end, its line starts and ends at that end.
   enum class Open { none, right, left };
   void profile(double x, Open open) {
     const std::size_t n = outline_.points.size(), first = open == Open::left ? n - 2 : 0;
@@ -221,7 +222,8 @@ class RackViews : public SheetViews {
   }
 
   // Draws a line in the direction of the teeth. Its points are (x_0 + s tan β, s), relative to the
-  // middle height of the plan. The line ends at the borders of the plan, `left` and `right`.
+  // middle height of the plan. The line ends at the border of the plan, whose left and right edges
+  // are at `left` and `right`.
   void tooth_direction(double x_0, double left, double right) {
     const double slope = std::tan(input_.rack.helix_angle.rad()), middle = top_ - face_ / 2;
     const double a = (left - x_0) / slope, b = (right - x_0) / slope;

@@ -48,11 +48,12 @@ struct SectionSpline {
 };
 
 /// Fits a spline of degree 5 to the arc. The number of poles increases until the target is reached.
-/// The parameter u follows the curve's own parameter or the arc length. The one that needs fewer
-/// poles is used. If at most one of them reaches the target, the one with the smaller deviation is
-/// used. A trochoid needs fewer poles with the arc length, and an involute near its base circle
-/// needs fewer poles with the roll angle. The curve's own parameter is used only if its slowest
-/// speed exceeds 1/100 of the mean, because a spline has no normal where the speed is 0.
+/// The parameter u follows the curve's own parameter or the arc length. The parametrization that
+/// needs fewer poles is used. If at most one of the two reaches the target, the one with the
+/// smaller deviation is used. A trochoid needs fewer poles with the arc length, and an involute
+/// near its base circle needs fewer poles with the roll angle. The curve's own parameter is used
+/// only if its slowest speed exceeds 1/100 of the mean, because a spline has no normal where the
+/// speed is 0.
 ///
 /// Units     mm
 /// Domain    the ends of the arc lie within 1e-5 mm of its curve

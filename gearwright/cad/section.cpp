@@ -51,7 +51,7 @@ Rule make_rule() {
   return rule;
 }
 
-// ½ ∫ (x dy − y dx) over u in [u0, u1].
+// Returns ½ ∫ (x dy − y dx) over u in [u0, u1].
 double panel_area(const Rule& rule, const Arc& arc, double u0, double u1) {
   std::array<Vec2, kNodes> p;
   for (std::size_t i = 0; i < kNodes; ++i) {
@@ -104,9 +104,9 @@ double bore_area(const Bore& bore) {
 
 double metal_area(const ToothedBody& body) {
   if (body.rack) {
-    // ∫ x dy over the half outline is the area above the datum line. The area below this line is a
-    // rectangle. If one end of the bar cuts off a part of a tooth, an equal part is added at the
-    // other end, so every section has the same area.
+    // ∫ x dy over the half outline is the signed area between the outline and the datum line. The
+    // area between this line and the back is a rectangle. If one end of the bar cuts off a part of
+    // a tooth, an equal part is added at the other end, so every section has the same area.
     static const Rule rule = make_rule();
     double half = 0.0;
     for (const Arc& arc : body.outline.arcs) {

@@ -25,8 +25,8 @@ namespace gearwright {
 /// Laws      (1) scaling every point by c scales A by c²   (2) a circle of radius r gives π r²
 double section_area(const Outline& outline);
 
-/// Returns the area of the bore with its keyway, π r² + w (r + t) − (w/2 √(r² − w²/4) + r²
-/// asin(w/2r)).
+/// Returns the area of the bore with its keyway,
+/// π r² + w (r + t) − ((w/2) √(r² − w²/4) + r² asin(w/(2r))).
 ///
 /// Units     mm²
 /// Domain    0 ≤ w < 2r, t ≥ 0 (contract)

@@ -35,8 +35,8 @@ struct SheetBox {
   Vec2 lo, hi;  ///< mm
 };
 
-/// The look of a mark of a figure (figure_files.hpp). The layer of a mark of a drawing determines
-/// its look instead.
+/// The look of a mark of a figure (figure_files.hpp). A mark of a drawing has no SheetInk. The
+/// layer of such a mark determines its look.
 struct SheetInk {
   std::string name;                           ///< name of the layer in a DXF file
   std::optional<std::uint32_t> fill, stroke;  ///< 0xRRGGBB; absent if there is none

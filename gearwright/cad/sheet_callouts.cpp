@@ -53,8 +53,8 @@ Callouts::Callouts(AxialSection section, SurfaceRequirements required)
   place_above();
 }
 
-// The callout of the faces is at the lower left, with a leader that passes below all dimensions. If
-// a dimension extends below this leader, the callout is at the upper right.
+// If a horizontal leader below the section passes below all dimensions, the callout of the faces is
+// at the lower left with this leader. Otherwise, the callout is at the upper right.
 void Callouts::place_faces() {
   const double number = text_width(kBoth, kUsual) + 1;
   double width = runout_width(required_.face_runout), height = kFrameHeight + kUsual + 1;

@@ -1,5 +1,5 @@
-// Draws the callouts of an axial section with leaders to the section. They give the runout of tip
-// circle and faces, and the surface texture of flanks, bore and faces. Internal to cad/.
+// Draws the callouts of an axial section with leaders to the section. The callouts state the runout
+// of tip circle and faces, and the surface texture of flanks, bore and faces. Internal to cad/.
 //
 // The callouts are to the left of the section, in the corners next to the circle of the transverse
 // view. At most scales, this space is empty. Coordinates are relative to the point of the axis at

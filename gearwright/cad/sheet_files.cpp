@@ -1,4 +1,4 @@
-// Writes PDF 1.4 (Adobe, PDF Reference, third edition).
+// Writes sheets as PDF 1.4 (Adobe, PDF Reference, third edition), SVG and DXF.
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <fmt/format.h>
@@ -192,7 +192,7 @@ class Objects {
   std::vector<std::size_t> places_;
 };
 
-// Writes one sheet as a group. Only this class reverses y.
+// Writes one sheet as an SVG group. Only this class reverses the y axis.
 class SheetSvg {
  public:
   explicit SheetSvg(const Sheet& sheet) : sheet_(sheet) {

@@ -98,7 +98,7 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const double width = text_width(d.words, kUsual);
   const bool inside = has_room(d);
   const Vec2 forward = at(1, 0);
-  // If a datum is outside the dimension, it replaces an arrow.
+  // If there is no room between the edges, the datum replaces the arrow at the upper end.
   const bool replaced = d.datum && !inside;
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   if (!replaced) sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));

@@ -57,14 +57,15 @@ struct Reach {
 };
 Reach reach_of(const Dimension& dimension);
 
-/// Draws a dimension. If there is room between the edges, its text is above the dimension line. If
-/// there is no room, the text is beyond the right end of a horizontal dimension line, or beyond the
-/// lower end of a vertical one. The datum is at the lower end. If the text is below, the datum is
-/// at the upper end.
+/// Draws a dimension. If there is room between the edges, its text is above the dimension line, and
+/// its datum is at the lower end. If there is no room, the text is beyond the right end of a
+/// horizontal dimension line, or beyond the lower end of a vertical one. The datum is then at the
+/// upper end.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
-/// Draws text within a box, starting at the top. The letters are as large as possible. The function
-/// uses several lines if necessary. If the text does not fit, it ends in an ellipsis.
+/// Draws text within a box, starting at the top. The letters are as large as possible, but at most
+/// `largest` mm high. The function uses several lines if necessary. If the text does not fit, it
+/// ends in an ellipsis.
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 

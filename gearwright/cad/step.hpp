@@ -1,9 +1,10 @@
 // Writes toothed bodies as exact solids into a STEP file (ISO 10303-242), for CAD systems.
 //
 // One named, coloured solid is written per body. Tip land, root land and bore are true cylinders.
-// All other faces are B-splines within kSectionTarget_mm of the screw surface
-// (cad/screw_spline.hpp), and neighbouring faces share their edges. Modified flanks, and the
-// fillets next to them, are B-splines within the same limits (cad/modified_fit.hpp). A single body
+// Every other face of the teeth of a gear is a B-spline. Its deviation from the screw surface has
+// the target kSectionTarget_mm and the limit kSectionMax_mm (cad/screw_spline.hpp), and
+// neighbouring faces share their edges. Modified flanks, and the fillets next to them, are
+// B-splines within the same limits (cad/modified_fit.hpp). A single body
 // in its own frame is a part. Several bodies, or a body with a pose, are an assembly of parts at
 // their poses.
 //

@@ -181,7 +181,7 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 /// Returns the rack in its own frame (pair/rack_pair.hpp). The pose of the rack is
 /// `in_assembly(rack_pair.pose_2())`.
 ///
-/// Domain    the back lies below the roots (contract), as that of a rack of mount_rack()
+/// Domain    the back lies below the roots (contract), as for every rack from mount_rack()
 /// Errors    errors of rack_outline()
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kMarking = 0.00635;  // mm, thickness of the marking compound for the ellipse
 
-// Returns the semi-axis of the area in which the gap is smaller than the thickness of the marking
-// compound. k is the curvature of the gap. If k ≤ 0, there is no value.
+// Returns the semi-axis, mm, of the area in which the gap is smaller than the thickness of the
+// marking compound. k is the curvature of the gap along the axis, 1/mm. Returns null if k ≤ 0,
+// because the flanks then interfere or the gap does not open.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -20,7 +21,7 @@ Value tensor(const Mat2& k) {
 
 bool convex_first(const ArcContactView& c) { return c.contact->convex_gear == 1; }
 
-// Converts values of the convex and the concave flank to values of gear 1 and gear 2.
+// Returns the values for gear 1 and gear 2, given the values for the convex and the concave flank.
 template <class T>
 std::array<T, 2> by_gear(const ArcContactView& c, const T& convex, const T& concave) {
   return convex_first(c) ? std::array{convex, concave} : std::array{concave, convex};

@@ -1,4 +1,4 @@
-// Converts a table of the catalogue to columns. Nested records are converted only here.
+// Converts a table of the catalogue to columns. This is the only code that flattens nested records.
 //
 // A column is a quantity of a table, or of a record inside the table. A list of records is one
 // column. The writers of rows (CSV, Parquet, the arrays of Python and of the page) select from
@@ -30,7 +30,7 @@ struct RecordColumn {
   /// Returns the value of this column in a record of the row's table, or null if there is none.
   const Value* in(const ValueRecord& row) const;
   /// Returns the plain values of this column in a row. The result has width() elements. If a value
-  /// is missing, its element is null.
+  /// is missing, its element points to a null Value.
   ///
   /// Domain    width() > 0 (contract)
   std::vector<const Value*> values(const ValueRecord& row) const;

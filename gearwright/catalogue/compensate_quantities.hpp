@@ -37,7 +37,7 @@ struct CompensateView {
   std::optional<LeadAnswer> lead;
   Value spec;  ///< the whole spec with the corrections
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<AimedLoad> loads{};  ///< results for each torque, if the aim includes load
+  std::vector<AimedLoad> loads{};  ///< results for each torque; empty unless under_load(aim)
 };
 
 /// Returns the smallest improvement for which corrections are made, as text: "0.001 ″".

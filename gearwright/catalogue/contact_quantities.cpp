@@ -14,8 +14,8 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const ContactPoint& p) { return p.kind != TouchKind::none; }
 
-// Returns a getter for a quantity of a single contact point. For a whole double-helical pair, the
-// quantity has no value, because each half has its own contact point.
+// Returns a getter for a quantity of a single contact point. The quantity has no value if no teeth
+// touch. It also has no value for a whole double-helical pair, because each half has its own point.
 template <class F>
 auto at_place(F get) {
   return [get](const ContactPoint& p) {
@@ -31,7 +31,7 @@ auto touching(F get) {
   };
 }
 
-// A rack has travels instead of angles.
+// The results of a rack are travels, and the results of a gear are angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
 bool of_rack(const ContactView& v) { return is_rack(v.driving); }
@@ -306,7 +306,7 @@ void add_contact_results(Quantities<ContactView>& q) {
       .otherwise("contact is lost")
       .when(of_rack);
   q.number("mean_slope", "mean slope of the transmission error", "",
-           "least-squares slope over the rotation of gear 1, rad per rad",
+           "least-squares slope over the rotation of gear 1, in rad per rad",
            [](const ContactView& v) { return v.driving.mean_slope; })
       .or_null()
       .when(of_gear)

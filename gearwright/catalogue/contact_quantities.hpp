@@ -1,4 +1,5 @@
-// The quantities of tooth contact under `contact`, with positions, patterns and maps.
+// The quantities of tooth contact, with positions, patterns and maps. A result contains them under
+// `contact`.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

@@ -11,8 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
-// given" is not changed.
+// Returns the description of a scenario in words. `errors` is a list of keys and values such as
+// "crossing_deg = -0.01, axial_mm = 2". A part that does not begin with a key of [errors], such as
+// "as given", is not changed.
 std::string in_words(std::string_view errors) {
   std::string text;
   while (!errors.empty()) {

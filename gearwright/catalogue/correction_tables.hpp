@@ -10,18 +10,19 @@
 
 namespace gearwright {
 
-/// Returns a table with a row for each correction. A note marks each value at the end of the
-/// searched range.
+/// Returns a table with a row for each correction. For each correction whose value is at the end of
+/// the searched range, the table has a note.
 TextTable correction_table(std::string title, const std::vector<FoundCorrection>& corrections,
                            UnitSystem units);
 
 /// The peak-to-peak transmission error for each combination of errors.
 TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units);
 
-/// Returns a table with the amounts of each proposal and a table with its effects under load. If
-/// the accuracy grades give helix slope deviations, a third table lists the effects for the less
-/// favourable direction of these deviations. Of the proposals with the same spec, only the first
-/// has a row. The proposal with the index `marked` has a *.
+/// Returns two tables. The first contains the amounts of the proposals, and the second their
+/// effects under load. If the accuracy grades give helix slope deviations, a third table contains
+/// the effects for the less favourable direction of these deviations. If several proposals have the
+/// same spec, only the first of them has a row. A * marks the row of the proposal with the index
+/// `marked`.
 std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
                                        std::optional<std::size_t> marked);
 

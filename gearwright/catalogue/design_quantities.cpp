@@ -19,7 +19,7 @@ double tidy_degrees(Angle angle) {
 namespace {
 
 constexpr unsigned kColumns = 0;  // for quantities in CSV and Parquet only
-constexpr int kFewDigits = 3;     // decimals of ratios and thicknesses in the page's table
+constexpr int kFewDigits = 3;     // decimals of most quantities in the table of the page
 
 bool is_crossed(const DesignView& v) { return v.problem->crossed(); }
 bool is_parallel(const DesignView& v) { return !is_crossed(v); }
@@ -235,8 +235,8 @@ void add_strength(Quantities<DesignView>& q) {
     return v.problem->weighs() || v.problem->has_face_band() || !v.problem->choices.empty();
   };
   q.number("face_width_mm", "face width", "b",
-           "common width of both gears; only if safeties, masses, a band of widths or a whole "
-           "overlap ratio are requested",
+           "common width of both gears; only if the search computes safety factors or masses, has "
+           "a band of face widths, or requires whole overlap ratios",
            [wide](const DesignView& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
       .when(wide)

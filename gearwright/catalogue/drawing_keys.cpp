@@ -13,7 +13,8 @@ namespace {
 // the drawing. Examples of textures that fit are "0.008-0.8/Ra 0.8" and "U Rz 4; L Ra 0.2".
 constexpr std::size_t kTextureLetters = 20;
 
-// The names of fits are checked at this size, mm. The table of deviations contains every fit there.
+// A fit is valid if the table of deviations contains it for this size, mm. For this size, the table
+// contains every fit that it has for any size.
 constexpr double kAnySize = 20.0;
 
 std::optional<KeyFault> check_texts(DrawingInput& d, const KeyGiven&) {

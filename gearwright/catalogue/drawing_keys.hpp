@@ -1,5 +1,6 @@
 // The keys of [drawing]: the texts of a title block, the surface textures, and the fits of bore and
-// keyway. Drawings show these texts unchanged. The program adds no date and no author.
+// keyway. Drawings show these texts unchanged, except that the first word of a surface texture can
+// select its symbol. The program adds no date and no author.
 #pragma once
 
 #include <string>

@@ -74,6 +74,7 @@ Key torque_key(KeyPlace place) {
 }
 
 // Sets the torque P/ω. The speed is known, because its key comes before the key of the power.
+// Returns the reason if the torque cannot be computed, and otherwise an empty text.
 std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
                       std::optional<double>& torque_Nm) {
   if (speeds_rpm.empty() || speeds_rpm.front() == 0.0)
@@ -89,7 +90,8 @@ std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
   return "";
 }
 
-// Makes the key of a power. `part` returns the part of T with the input's speeds and torque.
+// Makes the key of a power. `part` returns the member of T that contains the speeds and the torque
+// of the input.
 template <class T, class Part>
 Key power_key(Part part) {
   const auto set = [part](T& input, double power) {
@@ -153,7 +155,8 @@ std::string set_teeth(StageInput& input, const std::array<int, 2>& teeth) {
   return "must be two whole numbers; the second number is negative for a ring";
 }
 
-// Makes the key of the bores of a stage. A pair has two numbers, and a set has numbers by name.
+// Makes the key of the bores of a stage. The value of a pair is one number or a list of two
+// numbers. The value of a planetary set is a number or a table of numbers by member.
 Key bore_key() {
   Key key = formed("bore_mm",
                    "a number, or a list of two numbers; for a planetary set, the same forms as in "

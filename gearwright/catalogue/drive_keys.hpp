@@ -13,7 +13,7 @@ namespace gearwright {
 
 const KeyTable& planetary_keys();
 
-/// [[stage]] with a pair of gears that are given by their numbers of teeth.
+/// The inputs of a [[stage]] with a pair of gears.
 struct StageInput {
   StageSpec stage;
   PairTeeth plain{};   ///< data of the teeth; used only if the module is given
@@ -23,7 +23,8 @@ struct StageInput {
 };
 
 const KeyTable& stage_keys();
-/// Those keys of [gear1] that a gear in the list `gears` of a stage can have.
+/// The keys of [gear1] that also apply to a gear of a drive, for example to a gear in the list
+/// `gears` of a stage.
 const KeyTable& stage_gear_keys();
 
 /// [drive]: the graph, and the names of the bodies and gears to which it refers.

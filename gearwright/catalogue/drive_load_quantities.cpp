@@ -30,8 +30,8 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
     q.number("mesh_load_factors", "mesh load factor of each mesh", "K_γ",
              "in the order of the loaded meshes; null if all meshes have the same shares",
              [](const V& v) -> Value {
-               // Two factors count as equal if their relative difference is at most kSame. The
-               // residual of the equilibrium causes far smaller differences.
+               // Factors with a relative difference of at most kSame count as equal. The
+               // differences that the residual of the equilibrium causes are far smaller.
                constexpr double kSame = 1e-6;
                ValueList list;
                bool same = true;

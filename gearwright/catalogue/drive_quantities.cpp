@@ -46,8 +46,9 @@ std::optional<double> set_distance(const Drive& d) {
   return d.geometry.distance[d.sets.front().group.meshes.front()];
 }
 
-// These functions convert the motion of a body in rad. rotation() returns the rotation of a turning
-// body, and travel() the travel of a rack in mm. DriveError describes `lever`.
+// These functions convert the motion of a body, which is given in rad. rotation() returns the
+// rotation of a body that turns, and none for a rack. travel() returns the travel of a rack in mm,
+// and none for a body that turns. `lever` is DriveError::lever.
 std::optional<Angle> rotation(double motion, const std::optional<double>& lever) {
   return lever ? std::nullopt : std::optional(Angle::radians(motion));
 }

@@ -34,7 +34,7 @@ std::vector<DriveErrorLine> error_lines(const DriveError& error);
 
 /// The quantities of a drive under load. A result contains them under `drive.load`.
 ///
-/// Domain a drive with Drive::loaded (contract)
+/// Domain    a drive with Drive::loaded (contract)
 const Quantities<Drive>& drive_load_quantities();
 
 /// A planetary set of a drive, with the load share of each planet.
@@ -47,7 +47,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities();
 /// Returns the greatest mesh load factor K_γ of the planets under load. Returns none without
 /// planets or without a load.
 std::optional<double> mesh_load_factor(const Drive& drive);
-/// Returns the K_γ with which the planet meshes are rated, or none without a rating.
+/// Returns the greatest K_γ with which a mesh is rated, or none without a rating.
 std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
 /// Returns [p, q] in lowest terms, or null if one of the numbers has more than 63 bits.
@@ -55,7 +55,8 @@ Value exact_fraction(const Rational& r);
 /// Returns phases in periods, or null if there are none.
 Value phase_list(const std::vector<Rational>& phases);
 
-/// Returns the rating of a mesh, as for a pair. A mesh without power has no rating.
+/// Returns the rating of a mesh with the same quantities as the rating of a pair, or none if the
+/// mesh transmits no power.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 
 const Quantities<PlanetSet>& assembly_quantities();

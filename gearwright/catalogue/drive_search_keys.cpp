@@ -25,8 +25,8 @@ Key teeth(std::string_view key, SetMember member, std::string_view fallback,
               meaning);
 }
 
-// Returns a key of [planetary] that is also allowed in [search]. It applies to every set of the
-// search and is read as in [planetary].
+// Returns a key of [planetary] for use in [search]. The key has the same form as in [planetary] and
+// applies to every set of the search.
 Key of_set(std::string_view key, std::string_view fallback = {}) {
   Key k = *planetary_keys().find(key);
   if (k.place) k.place = k.place.inside(&Problem::base);
@@ -34,7 +34,8 @@ Key of_set(std::string_view key, std::string_view fallback = {}) {
   return k;
 }
 
-// Works like objective_called(), but returns only objectives of searches for drives.
+// Works like objective_called(), but returns an empty text if the objective is not one for searches
+// for drives.
 std::string_view drive_objective_called(std::string_view word) {
   const std::string_view objective = objective_called(word);
   const auto& names = kDriveObjectiveNames;
@@ -128,8 +129,9 @@ const KeyTable& drive_search_keys() {
                    "least clearance between the tip circles of neighbouring planets, in modules"),
        Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding,
                    "3 for a rated train without profile_shift; other drives have no limit",
-                   "greatest permitted specific sliding at both ends of the path of contact of "
-                   "every mesh; a small set without undercut has about 3 to 5"),
+                   "greatest permitted magnitude of the specific sliding at both ends of the path "
+                   "of contact of every mesh; sets of small gears without undercut have values of "
+                   "about 3 to 5"),
        Key::not_negative("overlap_ratio_min", "ε_β", &Problem::overlap, "no limit",
                          "least overlap ratio of every mesh; needs `normal_module_mm`"),
        Key::word("phasing", {"in_phase", "sequential", "counter", "mixed"}, &Problem::phasing,

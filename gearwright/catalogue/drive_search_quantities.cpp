@@ -25,7 +25,7 @@ Value of_set(const F& f, const Quantities<PlanetSet>& quantities, std::string_vi
   return {};
 }
 
-// True if the search has a module. Without a module, the drive has no teeth.
+// True if the search has a module. Without a module, the drive has no geometry.
 bool has_module(const F& f) { return f.drive.geometry.gears.front().has_value(); }
 
 Value teeth_of(const F& f) {
@@ -191,7 +191,8 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
         [](const S& s) { return s.designs->computed; });
   q.add(Type::index, "hopeless", "hopeless", "",
         "number of feasible trains that were not computed, because an estimate from 64 rated "
-        "trains of the same module shows that these trains cannot have the required safeties",
+        "trains of the same module shows that these trains cannot have the required safeties or, "
+        "if each stage has its own module, that they would exceed `size_max_mm`",
         [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
         "number of feasible sets that were not computed, because at most 20 000 sets of each "
@@ -214,9 +215,10 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "drives with a green verdict, at most as many as `--top` gives. The drives are in groups of "
-       "100, and each group begins with its best drive. If there are several objectives, drives of "
-       "the Pareto front follow. The numbers of a drive equal the results of the verb `drive`",
+       "drives with a green verdict, at most as many as `--top` gives, the best drive first. If "
+       "only an estimate of the order is known before the teeth are computed, each group of 100 "
+       "drives is sorted separately. If there are several objectives, further drives of the Pareto "
+       "front follow. The numbers of a drive equal the results of the verb `drive`",
        [](const S& s) -> const auto& { return s.designs->list; })
       .doors(kJson);
 }

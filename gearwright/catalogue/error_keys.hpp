@@ -17,7 +17,8 @@ namespace gearwright {
 
 constexpr std::size_t kErrorCount = 8;
 
-/// An error. docs/spec.md, [errors], describes the signs and the order of all errors.
+/// An error. The section [errors] of docs/spec.md describes the signs of all errors and the order
+/// in which they are applied.
 struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
@@ -30,7 +31,7 @@ struct ErrorEntry {
   std::string_view meaning;
 
   std::string_view unit() const { return key_unit(key); }  ///< "deg"
-  double si() const;                                       ///< the unit of the key, expressed in
+  double si() const;                                       ///< factor from the unit of the key to
                                                            ///< rad or mm
   /// The key without its unit, for example "crossing" for crossing_deg.
   std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }

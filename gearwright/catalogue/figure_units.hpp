@@ -11,8 +11,9 @@
 
 namespace gearwright {
 
-/// Converts values whose unit is given as text. The text begins with a unit of the catalogue or
-/// with the square of such a unit ("mm²"). A comma and words may follow.
+/// Converts values whose unit is given as text. Values are converted only if the text begins with a
+/// unit of the catalogue for lengths, or with the square of such a unit ("mm²"). A comma and words
+/// may follow the unit.
 class TextUnit {
  public:
   TextUnit(UnitSystem units, std::string_view unit);
@@ -32,7 +33,7 @@ class TextUnit {
 ///
 /// Laws      (1) the picture of a plane figure differs only in its texts
 ///           (2) units without a length, such as ° and N/mm², are unchanged
-///           (3) a second call changes nothing
+///           (3) a second call with the same units changes nothing
 Figure in_units(UnitSystem units, Figure figure);
 std::optional<Figure> in_units(UnitSystem units, std::optional<Figure> figure);
 

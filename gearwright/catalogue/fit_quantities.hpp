@@ -17,7 +17,7 @@ struct BranchView {
                                                      ///< solution
   std::optional<double> transverse_contact_ratio{};  ///< only for a design with few teeth
   /// The reason why the verb `pair` rejects `spec`; none if `pair` accepts it. Teeth may be
-  /// impossible even if their line of action is conjugate.
+  /// impossible to make even if a correct mesh of the two gears would exist.
   std::optional<std::string> refused{};
 };
 const Quantities<BranchView>& branch_quantities();

@@ -10,8 +10,8 @@ namespace {
 
 double flank_degrees(double rad) { return Angle::radians(rad).deg(); }
 
-// Adds the quantities of an end of the active flank (root or tip), where contact with the mating
-// gear ends.
+// Adds the quantities of one end of the active flank. `end` is "root" or "tip". At this end, the
+// contact with the mating gear begins or ends.
 void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;
@@ -69,12 +69,12 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
        &T::single_flank);
     um("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
        "null if F_i′ is null", &T::tooth_single_flank);
-    um("axis_deviation_um", "crossing of the axes", "f_Σβ",
+    um("axis_deviation_um", "out-of-plane shaft deviation", "f_Σβ",
        "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
        "without `bearing_span_mm`",
        &T::axis_deviation);
-    um("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-       "null if f_Σβ is null", &T::axis_inclination);
+    um("axis_inclination_um", "in-plane shaft deviation", "f_Σδ", "null if f_Σβ is null",
+       &T::axis_inclination);
   });
 }
 const Quantities<EvaluationRanges>& range_quantities() {

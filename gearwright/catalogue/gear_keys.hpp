@@ -25,7 +25,8 @@ struct BasicInput {
 };
 
 const KeyTable& gear_keys();
-/// The keys of [gearN.cut_by], which are the keys of a gear except those of flanks and cutters.
+/// The keys of [gearN.cut_by]: the keys of a gear that also apply to its pinion cutter. A cutter
+/// has, for example, no cutter of its own, no flank modifications and no material.
 const KeyTable& cutter_keys();
 /// The keys of [gearN] in a spec with [search], for values that the search does not determine.
 const KeyTable& blank_keys();
@@ -56,7 +57,8 @@ const KeyTable& rack_arc_keys();         ///< the keys of each table in `arcs`
 // [gearN.tolerance], and the readings of an unknown gear in [gearN.measured].
 
 inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
-/// The value is one number or two limits. If limits are given, the teeth have their mean.
+/// The value is one number or two limits. If limits are given, the teeth are computed with their
+/// mean.
 inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
 
 const KeyTable& measure_keys();
@@ -68,7 +70,8 @@ inline constexpr std::size_t kMostBallReadings = 20;
 const KeyTable& measured_keys();
 /// The keys of one entry of over_balls_mm.
 const KeyTable& measured_ball_keys();
-/// The keys for the known data of an unknown gear, a [gearN] with readings but no module.
+/// The keys of a [gearN] that describes an unknown gear by readings and has no module. They contain
+/// the data of the gear that are known.
 const KeyTable& unknown_gear_keys();
 
 const KeyTable& pair_keys();
@@ -97,7 +100,7 @@ const KeyTable& fit_keys();
 struct ModificationEntry : ModificationMember {
   std::string_view symbol;       ///< C_αa
   std::string_view words;        ///< "tip relief"
-  std::string_view reach;        ///< ending of the key for the reach of a relief, "_start_mm"
+  std::string_view reach;        ///< end of the key that limits a relief: "_start_mm"
   std::string_view reach_words;  ///< "from diameter"
   std::string_view meaning;      ///< the material removed
 };

@@ -27,7 +27,7 @@ constexpr const char* kBody = "Bore (for an internal gear, the rim)";
 
 const Quantities<Gear>& gear_quantities();
 
-/// The quantities of a warning, which states a fact about a gear or a pair that is not an error.
+/// The quantities of a warning. A warning states a fact about a gear or a pair. It is not an error.
 const Quantities<Warning>& warning_quantities();
 
 /// Returns the quantities of a gear. For a double-helical gear, `gear` is one half, but the face

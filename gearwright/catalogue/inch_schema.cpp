@@ -27,8 +27,9 @@ void convert_limits(Json& schema, const KeyUnit& unit) {
   for (Json& inner : schema) convert_limits(inner, unit);
 }
 
-// Replaces a list of required keys by conditions. Each condition accepts a key under its metric
-// name or under its inch name.
+// Adds to a schema the requirement that all `keys` are present. For a length, the requirement is a
+// condition that accepts the metric name or the inch name. All other keys are listed under
+// `plain_name`.
 void accept_either(Json& schema, const Json& keys, const char* plain_name) {
   Json plain = Json::array();
   for (const Json& key : keys) {
@@ -78,7 +79,8 @@ void add_needs(Json& schema, const Json& needs) {
 
 // Returns a schema that rejects keys of the other unit system in tables at any depth. `other` is a
 // pattern for the endings of such keys. A key that matches `other` is accepted only if it also
-// matches `both`, the pattern for keys with the same name in both systems.
+// matches `both`, the pattern for keys with the same name in both systems. `self` is the path under
+// which the schema is stored.
 Json without_names(const char* other, const char* both, const char* self) {
   const Json again{{"$ref", self}};
   const Json name{{"anyOf", {{{"not", {{"pattern", other}}}}, {{"pattern", both}}}}};

@@ -6,7 +6,8 @@
 namespace gearwright {
 
 /// Adds, for each property that is a length, a property with the inch name and with the limits in
-/// inch. If the property is required, one of the two names is sufficient.
+/// inch. If the property is required, one of the two names is sufficient. If an `enum` contains the
+/// keys of lengths, their inch names are added to it.
 void add_inch_names(nlohmann::ordered_json& schema);
 
 /// Adds a rule to the schema of specs. According to this rule, the names of all lengths of a spec

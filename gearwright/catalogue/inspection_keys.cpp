@@ -165,8 +165,8 @@ const KeyTable& measured_ball_keys() {
 
 const KeyTable& unknown_gear_keys() {
   static const KeyTable table = [] {
-    // An unknown gear has no module. The keys of the module are still listed here, so that a
-    // misspelled key of the module is recognised.
+    // An unknown gear has no module. The list still contains the keys of the module, so that the
+    // reader can suggest one of them for a misspelled key.
     KeyTable t = gear_keys().only({"teeth", "normal_module_mm", "normal_diametral_pitch_per_in",
                                    "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
                                    "measured"});

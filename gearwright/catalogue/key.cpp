@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The units at the end of keys. The names of struct members do not contain units.
+// The units with which keys end. The names of struct members end without a unit.
 constexpr std::array<std::string_view, 6> kUnitEndings{"mm",     "deg",    "um",
                                                        "per_in", "arcsec", "rpm"};
 constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",

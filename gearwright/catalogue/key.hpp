@@ -73,8 +73,8 @@ struct KeyList {
   std::string_view noun{};  ///< noun for one word of the list: "objective"
   /// Returns the word of which `word` is a synonym, or "" if it is not a synonym.
   std::string_view (*meant)(std::string_view word) = nullptr;
-  std::string_view must{};  ///< requirement on the value, for the errors about this list; if empty,
-                            ///< form_of() gives it
+  std::string_view must{};  ///< requirement on the value, for the errors about this list; {} stands
+                            ///< for `most`; if empty, form_of() gives the requirement
   int first = 1;            ///< index of the first element in the path of an element
   bool numbers = false;     ///< true if a key whose value is a table also allows a list of numbers
   /// Returns the numbers of the series with the name `word`, for example the modules of "ISO54-I".
@@ -82,8 +82,8 @@ struct KeyList {
   std::vector<double> (*series)(std::string_view word) = nullptr;
 };
 
-/// A key that sets the value of another key, `of`. The value is in another unit or belongs to
-/// another section.
+/// A key that sets the value of another key, `of`. The given value has another unit than the value
+/// of `of`, or belongs to the transverse section instead of the normal section.
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< converts to the unit of `of`
@@ -115,8 +115,8 @@ struct Key {
   bool required = false;
   Words needs{};                    ///< keys that must also be given
   Words excludes{};                 ///< keys that must not also be given
-  std::string_view excludes_why{};  ///< the rule behind `excludes`; empty if the user must choose
-                                    ///< one of the keys
+  std::string_view excludes_why{};  ///< rule of the error if a key of `excludes` is also given; if
+                                    ///< empty, the rule is that only one of the keys can be given
   /// The possible tables, distinguished by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
   std::string_view fallback{};  ///< the default, written as in the file or described in words

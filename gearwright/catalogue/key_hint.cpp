@@ -17,7 +17,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kLongest = 80;    // number of bytes of a key that are compared
-constexpr std::size_t kLeastPart = 3;   // least length; shorter parts occur in every name
+constexpr std::size_t kLeastPart = 3;   // least letters of a part; shorter parts are too frequent
 constexpr std::size_t kLettersOff = 4;  // at most a quarter of the letters may differ
 constexpr std::size_t kSlipOff = 6;     // at most a sixth may differ in a typing error
 constexpr double kLikeWords = 0.7;      // least share of words that two names must have in common
@@ -66,7 +66,7 @@ int likeness(const Key& key, const Word& word) {
   return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
 }
 
-// The least values of likeness() that called() can require.
+// The least likeness() that a call of called() requires.
 enum Sure { by_symbol = 1, by_word = 2 };
 
 // Returns the first key with the least cost, or null if no cost is less than `below`.
@@ -114,7 +114,7 @@ std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   return list;
 }
 
-// True if both units are of the same kind, such as length or angle, or if a unit is empty.
+// True if both units are of the same kind, such as length or angle, or if one of them is empty.
 bool of_one_kind(std::string_view a, std::string_view b) {
   const auto kind = [](std::string_view unit) {
     if (unit == "mm" || unit == "um" || unit == "in") return std::string_view("length");
@@ -125,10 +125,11 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 }
 
 // Searches for a key that is called `word`, first in the tables inside `table` and then in all
-// other tables. An example of the result is "diameter_mm in [gear1.bore]".
+// other tables. In the other tables, the unit of the key must be of the same kind as `unit`. An
+// example of the result is "diameter_mm in [gear1.bore]". Returns none if there is no such key.
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  // If `table` itself has a key of this name, the result does not name the other table.
+  // If `table` itself has a key of the same name, the result contains only this name.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };
@@ -157,8 +158,9 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// Returns the key whose name contains the word or is a part of the word. If there are several such
-// keys, the function returns the one with the fewest additional letters.
+// Returns a key whose name contains the word or is contained in the word. If there are several such
+// keys, the function returns the one whose length is nearest to that of the word. Returns null if
+// there is no such key.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
@@ -169,8 +171,9 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   });
 }
 
-// Returns the key that shares the greatest fraction of its words with the name, if this fraction
-// exceeds kLikeWords. For example, it returns tip_relief_start_mm for the name tip_relief_begin_mm.
+// Returns the key that has the greatest fraction of words in common with the name. Returns null if
+// no fraction exceeds kLikeWords. For example, the key tip_relief_start_mm is returned for the name
+// tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = split(name, '_');
   return cheapest(table, -kLikeWords, [&](const Key& key) {

@@ -95,15 +95,17 @@ class KeyPlace {
   /// Makes a place for the member that a function returns: within<T>([](T& t) -> auto& { … })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Makes a place whose members the function set(T&, const V&) computes and sets. The function may
-  /// return the reason for an error.
+  /// Makes a place for a value that the function set(T&, const V&) stores. If the value is
+  /// impossible, the function may return a sentence with the reason.
   template <class T, class V, class F>
   static KeyPlace by(F set);
-  /// Makes a place for one number, or for two numbers and their mean. mean(T&) returns a double,
-  /// and ends(T&) returns an optional array of two.
+  /// Makes a place for one number or two limits. mean(T&) returns a reference to the member for the
+  /// number or for the mean of the limits. ends(T&) returns a reference to the optional array in
+  /// which two limits are also stored.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
-  /// Makes a place for two numbers, or for a table whose member `ends` contains the two numbers.
+  /// Makes a place for a table or, as a short form, for two numbers. reach(T&) returns a reference
+  /// to the optional struct of the table, and `ends` is its member for the two numbers.
   template <class T, class S, class F>
   static KeyPlace ends_or_table(std::array<double, 2> S::*ends, F reach);
   /// Makes a place for a value that is checked but not stored.
@@ -117,7 +119,8 @@ class KeyPlace {
   template <class T>
   KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 
-  /// Returns a copy of this place that also accepts a word, which calls set(T&), for the number.
+  /// Returns a copy of this place that also accepts a word in place of the number. If the word is
+  /// given, set(T&) is called.
   template <class T, class F>
   KeyPlace or_word(F set) const;
 
@@ -240,7 +243,7 @@ class KeyPlace {
   std::vector<std::string> names_;
 };
 
-/// A fault of a key. Either its value is impossible, with the reason, or the key is missing.
+/// A fault of a key: its value is impossible, or the key is missing. `why` is the reason.
 struct KeyFault {
   std::string key;
   std::string why;

@@ -1,4 +1,5 @@
-// The quantities of loaded contact under `load`, with torques, positions and probes.
+// The quantities of loaded contact, with torques, positions and probes. A result contains them
+// under `load`.
 #pragma once
 
 #include <optional>

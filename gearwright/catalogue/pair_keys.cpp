@@ -45,7 +45,7 @@ const KeyTable& pair_keys() {
                        [](auto& p) -> auto& { return p.backlash_ends; }),
                    "the backlash that the given allowances and centre distance produce",
                    "backlash in the normal section at the pitch point, j_bn/cos α_wn; the teeth "
-                   "are thinned to give this backlash, instead of by `thickness_allowance_mm`. Two "
+                   "are thinned to give this backlash, in place of their thickness allowances. Two "
                    "numbers are the least and the greatest backlash")
            .with_list(kOneOrEnds)
            .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
@@ -63,9 +63,9 @@ const KeyTable& pair_keys() {
            "backlash_split", "", KeyRange::between(0, 1), &PairInput::backlash_split, "0.5",
            "share of the thinning that is applied to gear 1; the rest is applied to gear 2"),
        Key::word("mounting", {"tight", "extended"}, &PairInput::mounting, "\"tight\"",
-                 "kind of the default centre distance; `\"tight\"` is free of backlash for nominal "
-                 "teeth, and `\"extended\"` is a_d + m_n (x1 + x2), or with an internal gear a_d − "
-                 "m_n (x1 + x2)"),
+                 "kind of the default centre distance. `\"tight\"` is the distance at which "
+                 "nominal teeth have no backlash. `\"extended\"` is a_d + m_n (x1 + x2), or for an "
+                 "internal pair a_d − m_n (x1 + x2), where a_d is the reference centre distance"),
        Key::flag("choose_profile_shifts", &PairInput::choose_profile_shifts, "true",
                  "if `true`, absent profile shifts are computed from a given centre distance and "
                  "reported in a note; if `false`, the profile shifts must be given"),

@@ -38,7 +38,8 @@ const Quantities<PathPoint>& path_point_quantities() {
   return define<add_path_point>("pair.path point");
 }
 
-// Returns the sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
+// Returns one part of the sliding velocity at A, at the pitch point of gear 1 and at E, mm per
+// radian of gear 1. `part` computes it from the velocities across and along the teeth.
 std::array<double, 3> sliding_at_A_C_E(const InvolutePair& p,
                                        double (*part)(double across, double along)) {
   const auto at = [&](double rho1) {
@@ -107,10 +108,10 @@ const Quantities<LineView>& line_quantities() {
   using L = LineView;
   return define("pair.line of action", [](Quantities<L>& q) {
     const auto ends = [](const std::array<Vec3, 2>& line) { return ValueList{line[0], line[1]}; };
-    q.number(
-        "length_mm", "length of path of contact", "g_α",
-        "for crossed axes the distance AE along the line of action; 0 if the path has no length",
-        &L::length);
+    q.number("length_mm", "length of path of contact", "g_α",
+             "for crossed axes the distance AE along the line of action, and for circular arcs the "
+             "common face width; 0 if the usable flanks do not meet",
+             &L::length);
     q.number("leading", "leading line of action", "",
              "points [A, E]; for parallel axes in the section z = 0",
              [ends](const L& l) { return ends(l.leading); })
@@ -134,8 +135,8 @@ std::optional<LineView> line_between(const InvolutePair& p) {
                   {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
 }
 
-// Returns the path of the first contact over the common face. For the non-working flanks, returns
-// the mirror image of this path.
+// Returns the path of the first contact over the common face. The path of the non-working flanks is
+// this path, rotated by 180° about the centre line.
 std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;

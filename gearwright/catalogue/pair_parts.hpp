@@ -22,8 +22,9 @@ const Quantities<std::array<Value, 2>>& two_gears_mm();
 
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
-/// Adds the entry `specific_sliding`, a record for programs and two rows, for A and E, for users.
-/// `q` contains the quantities of a pair or of its part, and `get` returns its SlidingAtEnds.
+/// Adds the entry `specific_sliding`. Programs get a record, and users get two rows, one for A and
+/// one for E. `q` contains the quantities of a pair, or of a part of a pair. `get` returns the
+/// SlidingAtEnds of the pair.
 template <class Q, class G>
 void add_sliding(Q& q, const char* meaning, G get) {
   q.template record<two_gears>("specific_sliding", meaning, [get](const auto& s) {
@@ -72,8 +73,8 @@ void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
-/// The path of contact of any pair. It has a length, and two ends on the line of action of the
-/// leading flanks and of the trailing flanks.
+/// The path of contact of any pair: its length, and its two ends for the leading flanks and for the
+/// trailing flanks.
 struct LineView {
   double length;
   std::array<Vec3, 2> leading, trailing;

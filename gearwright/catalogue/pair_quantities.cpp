@@ -38,7 +38,7 @@ auto by_kind(Of... of) {
 
 bool flanks_meet(const Pair& v) { return v.contact_ratio() > 0.0; }
 
-// Returns an angle of both gears in mesh with their common rack, in degrees.
+// Returns one angle for each gear in its mesh with the common rack, degrees.
 Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
   const auto& sides = p.mesh.rack.sides;
   return degrees({sides[0].*angle, sides[1].*angle});

@@ -45,7 +45,8 @@ struct Proposal {
 struct ProposeView {
   double torque = 0.0;                                      ///< N mm, torque on gear 1 for which
                                                             ///< the amounts are computed
-  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm, of the shortest reliefs
+  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm, deflection at the tip of
+                                                            ///< each gear with short reliefs
   std::optional<double> pitch_deviation{};     ///< mm, normal to the flank, of both gears together
   std::optional<double> helix_deviation{};     ///< mm, over the common face, of both gears together
   std::optional<FaceDeflection> deflection{};  ///< deflection of the shafts plus the deflection in

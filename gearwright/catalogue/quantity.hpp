@@ -42,7 +42,7 @@ struct Quantity {
                                              ///< this part
 };
 
-/// The function `f` of an S as a function of the address of an S.
+/// Returns a function that takes the address of an S and calls `f` with this S.
 template <class S, class R, class F>
 std::function<R(const void*)> on_address(F f) {
   if constexpr (std::is_empty_v<F> && std::is_default_constructible_v<F>) {
@@ -55,7 +55,8 @@ std::function<R(const void*)> on_address(F f) {
   }
 }
 
-/// Refines a quantity that was just added for the subject S. The functions have their usual order.
+/// Refines a quantity that was just added for the subject S. The functions are listed in the order
+/// in which they are usually called.
 template <class S>
 class QuantityEntry {
  public:
@@ -145,8 +146,8 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
-/// This function is used only for its return type. For a getter that returns R, this type has
-/// the same Shape (value_shape.hpp) as the value that record_value() makes from R.
+/// This function is never called, because only its return type is used. If a getter returns R, this
+/// type has the same Shape (value_shape.hpp) as the value that record_value() makes from R.
 template <class T, class R>
 auto record_shape() {
   if constexpr (std::is_same_v<R, T>) {
@@ -206,12 +207,12 @@ class QuantityList {
 /// Returns the part of a subject, or null if the subject has no such part.
 using FindPart = std::function<const void*(const void*)>;
 
-/// Changes the getter of a part to the getter of the whole subject. If the subject does not have
-/// the part, the value is null.
+/// Replaces the getter of `q`, which takes a part, by a getter that takes the whole subject. If the
+/// subject does not have the part, the value is null. Also sets Quantity::there.
 void get_from_part(Quantity& q, const FindPart& find);
 
-/// The functions that add an entry to the quantities of S. The getters take a P, which is S itself
-/// or a part of S. Each function adds one quantity. The ending of the key gives the unit of the
+/// The functions that add quantities to those of S. Each function adds one quantity. Its getter
+/// takes a P, which is S itself or a part of S. The ending of the key gives the unit of the
 /// quantity. `symbol` may be empty.
 template <class Self, class S, class P>
 class QuantityForms {
@@ -245,15 +246,16 @@ class QuantityForms {
   QuantityEntry<S> text(const char* key, const char* meaning, G get) {
     return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
   }
-  /// A quantity that occurs in several tables. Its term defines its words and its symbol.
+  /// Adds a quantity that occurs in several tables. The Term of its key gives its type, words and
+  /// symbol.
   template <class G>
   QuantityEntry<S> term(const char* key, const char* meaning, G get) {
     const Term& t = term_of(key);
     return self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
   }
   /// Adds a record of the quantities `of`, or a list of such records. `get` returns a subject,
-  /// an optional subject, a pointer to a subject, a range of subjects, or a finished value. The
-  /// optional may be empty, and the pointer null. By default, `get` returns the subject S
+  /// an optional subject, a pointer to a subject, a range of subjects, or a finished value. If the
+  /// optional is empty or the pointer is null, the value is null. By default, `get` returns the P
   /// itself.
   template <const auto& (*of)(), class G = std::identity>
   QuantityEntry<S> record(const char* key, const char* meaning, G get = {}) {

@@ -67,11 +67,11 @@ struct QuantityTable {
   const QuantityInfo* find(std::string_view key) const;
 };
 
-/// Returns the number of decimals for users. The default is the number of the unit (unit_digits).
+/// Returns the number of decimals for users, which by default is unit_digits() of the unit.
 int digits_of(const QuantityInfo& info);
 
-/// Returns the unit system in which an answer in `units` shows the values of this quantity. Modules
-/// are in mm in both systems.
+/// Returns the unit system for the values of this quantity in a result in `units`. Modules are in
+/// mm in both systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
 /// Returns a value as text for users, without its unit. If there is no value or it is not finite,

@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The values of one quantity in several records. If a record lacks the quantity, its value is null.
+// The values of one quantity in several records. The pointer of a record without the quantity is
+// null.
 struct Across {
   const QuantityInfo* info;
   std::vector<const Member*> members;
@@ -38,7 +39,8 @@ std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   return all;
 }
 
-// Returns a key as words, without its unit: "sliding velocity" for "sliding_velocity_mm_per_rad".
+// Returns a key as words, without the endings "_mm" and "_per_rad". For example, returns "sliding
+// velocity" for "sliding_velocity_mm_per_rad".
 std::string key_words(std::string key) {
   for (const std::string_view ending : {"_per_rad", "_mm"})
     if (key.ends_with(ending)) key.erase(key.size() - ending.size());
@@ -46,8 +48,9 @@ std::string key_words(std::string key) {
   return key;
 }
 
-// Returns the words of a quantity in the inner record `outer`. If the catalogue has no words for
-// the quantity, the function uses its key.
+// Returns the words of a quantity in the inner record `outer`. If they are not clear alone, the
+// name of the record is added. They are not clear if the record is a point such as "A", if the
+// quantity is a gear, or if the catalogue has only the key of the quantity and no words.
 std::string words_in(const QuantityInfo* outer, const QuantityInfo& info) {
   if (!outer) return info.words;
   if (outer->key.size() == 1) return fmt::format("{}, point {}", info.words, outer->key);
@@ -56,7 +59,7 @@ std::string words_in(const QuantityInfo* outer, const QuantityInfo& info) {
   return key_words(outer->words) + ", " + key_words(info.words);
 }
 
-// An inner record. If `info` is null, it is the whole record.
+// The place of a record: an inner record, or the whole record if `info` is null.
 struct Within {
   const QuantityInfo* info = nullptr;
   std::string heading, path;
@@ -106,8 +109,8 @@ class Rows {
            (at_door || (info.type == Type::record && info.list.empty())) &&
            any([](const Member& m) { return !m.value.nothing(); });
   }
-  // Adds the quantities of an inner record. For a list, the records are added one after the other,
-  // and the headings contain their numbers.
+  // Adds the quantities of an inner record. The records of a list are added one after the other. If
+  // there are several, each heading contains the number of its record.
   void nest(const Across& a, const Within& place) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

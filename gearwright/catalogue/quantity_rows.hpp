@@ -1,5 +1,5 @@
-// The rows of the tables for users, with their values. text_groups() (quantity.hpp) writes them as
-// texts for the terminal and the report, and job/result_rows.hpp writes them for the page.
+// The rows of the tables for users, with their values. text_groups() in quantity_info.hpp writes
+// them as texts for the terminal and the report, and job/result_rows.hpp writes them for the page.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace gearwright {
 
 /// The quantities of which a table consists.
 enum class RowRange {
-  shown,  ///< the quantities of an interface that at least one record shows
-  all     ///< also values that no record shows, and rows of single inner records that are only in
-          ///< JSON
+  shown,  ///< the quantities of the interface that at least one record shows
+  all     ///< also quantities that have a value but that no record shows, and the quantities of
+          ///< single inner records that only JSON contains
 };
 
 struct QuantityRow {

@@ -24,8 +24,8 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
 // Sets all values to the defaults for this cutter. Keys that are read later replace single values.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
-// Sets a default tip rounding that exceeds the full radius to slightly less than the full radius.
-// Such a default can result from rounding errors.
+// If the default tip rounding exceeds the full radius, sets it to slightly less than the full
+// radius. The difference is larger than the rounding errors of later checks.
 std::optional<KeyFault> complete_arc_rack(ArcRack& rack, const KeyGiven& given) {
   constexpr double kInside = 1.0 - 1e-12;
   const double greatest = full_radius(rack);

@@ -56,9 +56,10 @@ void add_rack_mounting(Quantities<RackPair>& q) {
            &RackPair::travel_per_turn)
       .unit(Unit::mm);
   q.number("usable_travel_mm", "usable travel", "",
-           "travel over which the whole path of contact of both flanks lies on the rack, n p_t − 2 "
-           "max(g_a, g_f) cos α_t; 0 if the rack is too short; null without contact, and without "
-           "`teeth` and `length_mm`",
+           "travel over which the whole path of contact of both flanks lies on the rack. It is n "
+           "p_t − 2 max(g_f, g_a) cos α_t, where n is the number of teeth, and g_f and g_a are the "
+           "lengths of the paths of approach and of recess. The value is 0 if the rack is too "
+           "short, and null without contact or without `teeth` and `length_mm`",
            usable_travel);
   q.term("working_normal_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
@@ -158,7 +159,8 @@ const Quantities<RackGeometry>& rack_quantities() {
              "in the direction of travel, π m_n/cos β", &R::transverse_pitch);
     q.number(
         "length_mm", "length", "",
-        "length n p_t, with half a tooth space at each end; null without `teeth` and `length_mm`",
+        "length n p_t of n teeth, with half a tooth space at each end; null without `teeth` and "
+        "`length_mm`",
         &R::length);
     q.number("height_mm", "height", "", "height from the back of the rack to the datum line",
              &R::height);
@@ -168,9 +170,10 @@ const Quantities<RackGeometry>& rack_quantities() {
            "at the datum line, including the thickness allowance", &R::thickness);
     q.number(
         "pin_diameter_mm", "diameter of the pin", "D_M",
-        "of all sizes of DIN 3977 that can be measured, the nearest to the size that touches "
-        "the flanks at the datum line; null if no size can be measured; 1.728/P if an inch spec "
-        "gives the diametral pitch and this pin can be measured",
+        "the size of DIN 3977 nearest to the size that touches the flanks at the datum line; only "
+        "sizes with which the rack can be measured are considered, and the value is null if there "
+        "is no such size. If a spec in inch gives the normal diametral pitch P_nd, the diameter is "
+        "1.728/P_nd, unless the rack cannot be measured with this pin",
         [](const R& r) { return of_pin(r, &RackPin::diameter); });
     q.number("over_pin_mm", "dimension over one pin", "M",
              "from the back of the rack over a pin in a tooth space [T10.38]; null without "

@@ -49,7 +49,7 @@ Key face_load_factor() {
       "from `[rating.mounting]` or the shafts of the gears; a search without these values uses 1.4",
       "face load factor of the flank, which replaces the value by formula; with `\"computed\"`, "
       "K_Hβ is computed from the load along the teeth, with their modifications and shafts, "
-      "which takes a few seconds");
+      "and the computation takes a few seconds");
   key.place = key.place.or_word<RatingTable>(
       [](RatingTable& rating) { rating.input.face_load_computed = true; });
   key.words = {"computed"};
@@ -78,8 +78,9 @@ void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// If power and torque are both given, they must agree. If there is only a spectrum, its step with
-// the greatest torque is the load.
+// If power and torque are both given, they must agree. If a spectrum is given but neither power nor
+// torque, the step with the greatest torque is the load. This step also gives the speed if no speed
+// is given.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {

@@ -15,8 +15,8 @@ namespace gearwright {
 /// [rating] as given. It does not contain the data of the gears themselves.
 struct RatingTable {
   bool given = false;                     ///< true if the spec has [rating]
-  RatingInput input;                      ///< inputs of [rating], with the resulting torque;
-                                          ///< materials and gear bodies are added for the rating
+  RatingInput input;                      ///< inputs of [rating], with the torque that follows from
+                                          ///< them; materials and gear bodies are added later
   std::optional<double> power;            ///< P    kW
   std::optional<double> torque;           ///< T_1  N m, on gear 1
   std::optional<double> web_thickness;    ///< b_s  mm

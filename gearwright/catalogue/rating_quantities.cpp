@@ -18,7 +18,8 @@ constexpr const char* kGeneral = "General influence, ISO 6336-1";
 constexpr const char* kFlank = "Flank, ISO 6336-2";
 constexpr const char* kRoot = "Root, ISO 6336-3";
 
-// A factor of the rating, either for the pair (`of`) or for each gear (`each`).
+// A factor of the rating. If the pair has one value, `of` returns it. If each gear has its own
+// value, `each` returns the value of gear i.
 struct FactorEntry {
   const char *group, *key, *words, *symbol;
   Unit unit;
@@ -156,7 +157,8 @@ ValueList of_materials(const RatingAnswer& v, F value) {
   return values;
 }
 
-// Returns a strength of both materials; null for a plastic whose strength varies with temperature.
+// Returns a strength of both materials. A value is null if the strength is given by temperature, as
+// for some plastics.
 Value strengths(const RatingAnswer& v, double Material::*member) {
   return of_materials(
       v, [member](const Material& m) { return m.*member > 0.0 ? Value(m.*member) : Value(); });

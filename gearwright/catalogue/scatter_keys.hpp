@@ -15,8 +15,8 @@ namespace gearwright {
 
 struct ScatterBearings {
   double span = 0.0;    ///< L  mm, distance of the bearings of a shaft
-  double radius = 0.0;  ///< R  mm, radius of a circle; a bore of axis 1 lies in this circle
-                        ///< relative to the bore of axis 2 in the same wall
+  double radius = 0.0;  ///< R  mm, radius of the circle in which a bore of axis 1 can lie relative
+                        ///< to the bore of axis 2 in the same wall
   double offset = 0.0;  ///< c  mm, position of the gears from the middle of the span, towards +z
 };
 

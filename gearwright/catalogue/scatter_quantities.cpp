@@ -157,8 +157,8 @@ const Quantities<LooseningView>& loosening_change_quantities() {
     q.number(
         "factor", "factor by which the tolerance can grow until the percentile has grown by 5 %",
         "",
-        "null if the percentile grows by at most 5 % for every factor up to 8 at which the teeth "
-        "can exist",
+        "null if the percentile grows by at most 5 % for every factor up to 8 with which the teeth "
+        "can be made",
         [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "", [](const L& l) {
        return Angle::radians(l.change->halved).arcsec();

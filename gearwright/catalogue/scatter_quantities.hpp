@@ -1,4 +1,4 @@
-// The quantities under `scatter`, which describe the scatter due to tolerances.
+// The quantities of the scatter due to tolerances. A result contains them under `scatter`.
 #pragma once
 
 #include <array>
@@ -58,12 +58,13 @@ struct LoadedSpreadView {
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
-/// The statistics of a family of pairs, either without or with corrections. Both families have the
-/// same samples, so they can be compared.
+/// The statistics of a family of pairs. There is one family without and one with corrections. Both
+/// families have the same samples, so their statistics can be compared.
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;
-  std::vector<LoadedSpreadView> loaded;  ///< one entry for each torque, if the aim includes load
+  std::vector<LoadedSpreadView> loaded;  ///< one entry for each torque; empty unless the aim is a
+                                         ///< quantity under load
 };
 
 struct RobustView {

@@ -22,8 +22,8 @@ std::string event_words(std::string_view words, const Probability& p) {
   return capitalised(fmt::format("{} in {} of {} samples ({}).", words, p.count, p.of, share));
 }
 
-// Returns the range of every input, with the key that gives the range. Waves and pitches have no
-// range, because they vary within their accuracy grade.
+// Returns a table with the range of every input and the key that gives the range. The cells of
+// waves and pitches are empty, because they vary within the tolerances of their accuracy grade.
 TextTable input_table(const ScatterView& view, UnitSystem units) {
   TextTable table{"Inputs", {"least", "greatest", "from"}};
   bool waves = false;
@@ -55,7 +55,8 @@ TextTable correlation_table(const ScatterTask& task, UnitSystem units) {
   return table;
 }
 
-// Returns the texts of estimates and, if there are several replicates, their standard errors.
+// Returns a row with the texts of the estimates and of their standard errors. With a single
+// replicate, there are no standard errors.
 TextTable::Row estimate_row(UnitSystem units, const SpreadEntry& entry, std::string words,
                             const std::vector<Estimate>& estimates) {
   TextTable::Row row{std::move(words), std::string(unit_text(units, entry.unit)), {}};
@@ -129,7 +130,8 @@ TextTable index_table(const ScatterView& view, UnitSystem units, ScatterQuantity
   return table;
 }
 
-// Returns the worst values, one column for each value, with the inputs that cause it.
+// Returns a table with a column for each worst value. Each column contains the worst value, its
+// bound and the inputs that cause the value.
 TextTable worst_table(const ScatterView& view, UnitSystem units) {
   TextTable table{"Worst values within all ranges, found by a search", {}};
   std::vector<TextTable::Row> rows{{"value", "", {}}, {"no pair has less than", "", {}}};
@@ -171,7 +173,7 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
           "Factor by which a single tolerance can grow until the {} % point of the "
           "peak-to-peak transmission error of the first {} samples ({} ″) has grown by {:g} %",
           format_number(l.percent), view.task->samples, arcsec(l.percentile), 100 * kLooser),
-      {"factor", "point if halved"}};
+      {"factor", "percentile if halved"}};
   table.units = {"", std::string(unit_text(te.unit))};
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
@@ -192,7 +194,8 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
   return table;
 }
 
-// Returns the corrections, and the percentiles without and with them, for rigid or loaded teeth.
+// Returns a table of the corrections and a table of the minimised percentile without and with them.
+// For loaded teeth, a table of the percentiles under each torque follows.
 std::vector<TextTable> robust_tables(const RobustView& r, UnitSystem units) {
   const std::string point = format_number(r.percent) + " % point";
   const std::vector<std::string> both{"without corrections", "with corrections"};

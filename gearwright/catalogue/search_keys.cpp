@@ -16,8 +16,8 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
-constexpr double kMinShiftStep = 0.0025;     // a wide region has half a million points with this
-                                             // step
+constexpr double kMinShiftStep = 0.0025;     // with this step, a wide region has half a million
+                                             // points
 constexpr std::size_t kMostOverlaps = 20;
 constexpr KeyList kNumbers{1, kMaxValues, true};
 constexpr std::array<std::string_view, 4> kSearchRacks{"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"};
@@ -385,8 +385,8 @@ std::vector<Key> design_keys() {
                 "criterion of the ranking: `contact_ratio` (greatest effective contact ratio), "
                 "`ratio` (nearest to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least "
                 "|Σx|), `area` (largest region), `sliding` (least |ζ|), `formula_contact_ratio` "
-                "(greatest contact ratio by Eq. 10), `mass` (least mass), `safety` (S_H and S_F "
-                "are divided by their required values, and the lower ratio is greatest; needs "
+                "(greatest contact ratio by Eq. 10), `mass` (least mass), `safety` (greatest "
+                "value of the lower of the ratios of S_H and S_F to their required values; needs "
                 "`[rating]`), `efficiency` (greatest efficiency with gear 1 driving), `balance` "
                 "(load reserves of flanks and roots nearest to each other; needs `[rating]`), "
                 "`cost` (least mass times (b/d_1)^`cost_exponent`) or `noise` (least estimated "
@@ -399,10 +399,10 @@ std::vector<Key> design_keys() {
           .with_fields({"objectives"}),
       Key::number("loaded_designs", "", KeyRange::between(0, 1000), &SearchProblem::loaded_designs,
                   "10",
-                  "for `objective` = `noise`, number of the best designs by the estimate whose "
-                  "transmission error under load is computed as by `load`, in about 3 s each; if "
-                  "`noise` is the first criterion, these designs are then sorted by it. 0 computes "
-                  "none")
+                  "for `objective` = `noise`, number of designs whose loaded transmission error is "
+                  "computed as by `load`, which takes about 3 s for each design. They are the best "
+                  "designs according to the estimate. If `noise` is the first criterion, they are "
+                  "then sorted by the computed values")
           .with_needs({"objective"}),
       Key::number("target_ratio", "", {}, &SearchProblem::target_ratio,
                   "the middle of the band `ratio`", "target of the objective `ratio`"),

@@ -92,7 +92,7 @@ void add_search(Quantities<SearchView>& q) {
   };
   const auto grid = [](const S& s) { return s.problem->shift_step.has_value(); };
   q.term("tested",
-         "number of trials, that is combinations of module, z1, z2, helix angles and rack",
+         "number of trials; a trial is a combination of module, z1, z2, helix angles and rack",
          [](const S& s) { return s.answer.counts.tested; });
   count("feasible_count", "number of trials with a region of feasible shifts",
         &SearchCounts::feasible);

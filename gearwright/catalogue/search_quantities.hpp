@@ -26,14 +26,16 @@ const Quantities<DesignView>& design_quantities();
 struct SearchView {
   const SearchProblem* problem = nullptr;
   SearchAnswer answer;
-  std::vector<NearestChange> changes;       ///< changes that give a design, if nothing is feasible
+  std::vector<NearestChange> changes;       ///< changes that would make a design feasible; empty if
+                                            ///< a design is feasible
   std::optional<DesignRow> safest;          ///< the safest rated design if nothing is feasible
   std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
                                             ///< spec gives no K_Hβ; otherwise none
 };
 const Quantities<SearchView>& search_quantities();
 
-/// The quantities of one point in the grid of profile shifts. They are only columns of tables.
+/// The quantities of one point in the grid of profile shifts. Only the tables of points contain
+/// them, as columns.
 const Quantities<ShiftPoint>& point_quantities();
 
 /// A change of the spec, with its key and two values as a spec writes them. An example is

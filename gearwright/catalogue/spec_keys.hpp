@@ -12,7 +12,8 @@
 
 namespace gearwright {
 
-/// The tables that spec_keys() fills directly. Gears and [scatter] have their own readers.
+/// The inputs of a spec. The places of most members are given by spec_keys(). The gears (GivenPair)
+/// and `scatter` have readers of their own.
 struct SpecTables : GivenPair {
   std::string title;
   DrawingInput drawing;
@@ -32,9 +33,8 @@ const KeyTable& spec_keys();
 /// spec_keys() itself.
 std::vector<const KeyTable*> all_key_tables();
 
-/// True if the last part of the path is a key of any table. Also true if it is the last part of any
-/// permitted word. For example, lead_crowning_um is the last part of the word
-/// "gear1.lead_crowning_um".
+/// True if the last part of the path is a key of any table, or the last part of a permitted word of
+/// any key. For example, lead_crowning_um is the last part of the word "gear1.lead_crowning_um".
 bool is_spec_key(std::string_view path);
 
 }  // namespace gearwright

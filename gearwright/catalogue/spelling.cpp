@@ -131,7 +131,7 @@ Error with_keys(const Error& error, const GivenKeys& given) {
   if (!s) return worded;
   worded.field = s->path;
   worded.value = spelled_value(worded.value, *s->key);
-  // If a rack is not in the file, it is a default rack, and the message states this.
+  // If a key of a rack is not in the file, its value is a default, and the message states this.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
   if (of_rack && !worded.value.empty() && !given.contains(s->path))
     worded.rule =

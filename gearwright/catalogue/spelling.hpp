@@ -28,9 +28,9 @@ struct GivenKeys : std::set<std::string, std::less<>> {
   std::map<std::string, std::string, std::less<>> written{};
 };
 
-/// Returns the error with keys in place of members, in the units of the spec. If the value is of a
-/// default rack, or if it is converted from the given key, a preface to the rule states this. All
-/// other words are unchanged, so a second call replaces no key.
+/// Returns the error with keys in place of members, in the units of the spec. If the value is the
+/// default of a key of a rack, or if it is converted from another key of the spec, a preface to the
+/// rule states this. All other words are unchanged, so a second call replaces no key.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
 /// Converts an error, whose field is a key of the catalogue, to the units of the spec. A value that

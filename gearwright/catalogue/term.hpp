@@ -34,7 +34,7 @@ enum class Unit {
   modules,          ///< normal modules; no unit is shown to users
   modules_squared,  ///< area of a region of two profile shifts
   percent,          ///< a share from 0 to 1, shown to users as a percentage
-  inch,             ///< this unit and those below occur only in answers to inch specs
+  inch,             ///< this unit and the units below occur only in results of specs in inch
   microinch,
   per_inch,
   inch_per_rad

@@ -23,8 +23,8 @@ constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false}
                                KeyUnit{"_mm", "_in", kMm, false},
                                KeyUnit{"_um", "_uin", kUm, false}};
 
-// Keys with the same name in both systems. By the rule for endings, these keys would have other
-// names in the other system. The list also contains these other names.
+// Keys that have the same name in both systems, although the rule for endings would give them
+// another name in the other system. The list also contains these other names.
 constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "module_in",
                                                    "normal_module_mm",

@@ -48,14 +48,14 @@ struct KeyUnit {
 };
 
 /// Returns the unit of a key or of a path of keys, for example of "gear1.measured.span_mm.3".
-/// Returns null if the unit is not a unit of length. Such units are the same in both systems.
+/// Returns null if the unit is the same in both systems.
 const KeyUnit* metric_unit(std::string_view key);
 /// Returns the unit of a key in an inch spec, for example of "gear1.face_width_in". Returns null
 /// for keys whose unit is the same in both systems.
 const KeyUnit* inch_unit(std::string_view key);
 
-/// True if the key of the enclosing table gives the unit of the numbers under this key. An example
-/// is `3` in span_mm = { 3 = 19.751 }.
+/// True if the numbers under this key have the unit that the key of the enclosing table names. An
+/// example is the key `3` in span_mm = { 3 = 19.751 }.
 bool is_in_unit_of_table(std::string_view key);
 
 /// Returns the name of a key or a path of the catalogue in this system. For example,

@@ -17,7 +17,7 @@
 namespace gearwright {
 
 class Value;
-struct QuantityInfo;  // catalogue/quantity.hpp
+struct QuantityInfo;  // catalogue/quantity_info.hpp
 struct Member;
 
 using ValueList = std::vector<Value>;

@@ -1,6 +1,6 @@
-// The shape of a value of a result. It consists of the lengths of its lists, and of whether the
-// value can be null. The shape follows from the type of the getter. Entries of the catalogue
-// therefore state only the facts that do not follow from this type.
+// The shape of a value of a result: the lengths of its lists, and whether the value can be null.
+// The shape follows from the type of the getter. Entries of the catalogue therefore state only the
+// facts that do not follow from this type.
 #pragma once
 
 #include <array>

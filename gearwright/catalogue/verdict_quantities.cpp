@@ -14,7 +14,8 @@ ValueMap values_of(const Finding& finding) {
   return values;
 }
 
-// Returns the path of the member that a change sets, relative to the gear.
+// Returns the path of the member that a change sets, relative to the table of the gear or of the
+// pair.
 const char* member_of(Adjustable what) {
   switch (what) {
     case Adjustable::profile_shift: return "profile_shift";

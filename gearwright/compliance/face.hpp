@@ -33,10 +33,9 @@ class Face {
   Eigen::VectorXd slope_at(double z) const;
   /// Returns the weights with which the nodal values add up to the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
-  /// Replaces each column, which contains a load, by the amplitudes under this load. A column lists
-  /// all modes at the first node, then all modes at the second node, and so on. In the result, the
-  /// amplitudes at the inner nodes of an element do not yet contain the effect of the amplitudes at
-  /// its ends.
+  /// Replaces the load in each column by the amplitudes under this load. A column lists all modes
+  /// at the first node, then all modes at the second node, and so on. In the result, the amplitudes
+  /// at the inner nodes of an element do not yet contain the effect of the amplitudes at its ends.
   void solve(Eigen::MatrixXd& columns) const;
   /// Returns `weights`ᵀ times the amplitudes at each node, including the effect that is missing at
   /// the inner nodes. `columns` is a result of solve().

@@ -41,9 +41,9 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
-/// Returns the displacement along the line of action, E·u/F′, due to the twist of the body under a
-/// line force F′ at the base radius. The body is the full disc between bore and root, or the rim of
-/// an internal gear between its roots and its outside diameter. [T12.16]
+/// Returns E u/F′, where u is the displacement along the line of action due to the twist of the
+/// body under a line force F′ at the base radius. The body is the full disc between bore and root,
+/// or the rim of an internal gear between its roots and its outside diameter. [T12.16]
 double body_twist(double base_radius, double bore_radius, double root_radius, double poisson_ratio);
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// Quadrilateral elements of the section mesh, with nine nodes and nine Gauss points.
+// The shape functions of the quadrilateral elements of the section mesh, which have nine nodes and
+// nine Gauss points.
 //
 //   x, y   coordinates in an element, −1 … 1      N   the nine shape functions
 //

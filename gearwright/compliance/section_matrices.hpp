@@ -39,8 +39,9 @@ struct SectionMatrices {
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// Returns the trace ε_x + ε_y of each displacement field. At each node, the trace is averaged over
-/// the elements and stored as the component w of the node. At the bore, it is set to 0.
+/// Returns the sum ε_x + ε_y of the in-plane strains of each displacement field. At each node, the
+/// sum is averaged over the elements and stored as the component w of the node. At the bore, it is
+/// set to 0.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 
 }  // namespace gearwright::detail

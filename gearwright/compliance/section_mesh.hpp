@@ -2,8 +2,8 @@
 // their exact outline. The rest of the rim has no teeth and ends at the root circle. The section is
 // fixed at the bore. For an internal gear, it is fixed at the outside of the rim.
 //
-//   t    position along half an outline, counted in elements: 0 in the middle of the tooth space, n
-//        at the tip land
+//   t    position along half an outline, counted in elements. t is 0 in the middle of the tooth
+//        space and n, the number of elements, at the tip land
 //   c    position across the tooth: 0 on the outline, 1 on the centre line of the tooth
 //   Lengths in normal modules.                        theory: docs/theory/12-loaded-contact.md
 //

@@ -55,7 +55,8 @@ struct ShaftDeflection {
 /// Formula   [T11.49], [T11.50]
 /// Domain    shaft.possible(), lo < hi (contract)
 /// Laws      (1) w is linear in the load
-///           (2) if lengths are multiplied by k and the force is unchanged, w is divided by k
+///           (2) with rigid bearings and without a moment, multiplying all lengths by k divides w
+///               by k
 ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                  const std::vector<double>& z);
 
@@ -66,8 +67,8 @@ ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
 double shaft_twist_per_length(const Shaft& shaft, double body);
 
 /// Returns the twist of a gear at each z of its face, rad, relative to the end of the face at which
-/// the torque acts. The twist is positive in the sense in which the mesh force turns the gear. The
-/// gear is treated as a solid cylinder with the diameter `body`, mm.
+/// the torque acts. The twist is positive if it has the sense of rotation in which the mesh force
+/// turns the gear. The gear is treated as a solid cylinder with the diameter `body`, mm.
 ///
 /// Formula   [T11.51]
 /// Domain    shaft.possible(), lo < hi, every z within [lo, hi] (contract)

@@ -17,7 +17,7 @@
 namespace gearwright::detail {
 
 inline constexpr int kMostCenters = 6;  // greatest number of models after the first one
-// Greatest reach of all searches after the first.
+// The greatest reach of the second search and of all later ones.
 inline constexpr double kNextReach = 0.25;
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
 
@@ -35,7 +35,8 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
 
 /// Returns the center at which the function is least. The first center is `center`. The search ends
 /// after kMostCenters models in addition to the first one, or when the reach is below kLastReach.
-/// It also ends when the model at its lowest point is less than at the center by at most `gain`.
+/// It also ends when the lowest value of the model within the reach is less than the value at the
+/// center by at most `gain`.
 ///
 ///   model_at(center)               the model that is exact at the center
 ///   value(model, v)                the value of the model at v

@@ -15,18 +15,18 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when the change of f is below kLastGain · f or below kLastGain_rad, which is a
-// hundredth of kSameError.
+// A search ends when the change of f is below kLastGain · f or below kLastGain_rad. kLastGain_rad
+// is a hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// This value replaces f if contact is lost, rad. It is far above all other values of f. The
+// This value, in rad, replaces f if contact is lost. It is far above all other values of f. The
 // optimiser requires finite values, so infinity is not used.
 constexpr double kLost = 1e3;
 // If a task has an aim, kAimLastGain · CompensationAim::same replaces kLastGain_rad, and kAimLost ·
 // CompensationAim::same replaces kLost.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// The penalty, per radian, for a peak to peak above its limit. The cost of the pattern without
-// corrections is also added, so corrections that exceed the limit are never better than no
+// The penalty per radian by which the peak to peak exceeds its limit. The cost of the pattern
+// without corrections is also added, so corrections that exceed the limit are never better than no
 // corrections. f still decreases as the peak to peak approaches the limit.
 constexpr double kOverLimit = 100.0;
 
@@ -197,7 +197,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
-// Rounding a value, or setting a value to 0, may lose this fraction of the gain.
+// Rounding a value, or setting a value to 0, may lose at most this fraction of the gain.
 constexpr double kPartLost = 0.01;
 
 // The best corrections so far, and the value of f (or of the aim) for them.

@@ -57,7 +57,7 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;       ///< per pitch, during the search
   int fine_positions = 64;  ///< per pitch, for the reported scores
-  int curves = 6000;        ///< approximate limit of the TE curves computed in each search
+  int curves = 6000;        ///< approximate number of TE curves computed in each search
   /// w, the penalty for a contact pattern at the end of the face. If w is absent,
   /// default_centering() is used, and corrections must not increase the transmission error.
   std::optional<Angle> centering{};
@@ -90,7 +90,7 @@ std::optional<SettingAnswer> arc_setting(const ArcPair& arcs, const ContactSetup
 /// The corrections of the lead angles. Each correction alone makes the slope of TE zero, while the
 /// lead angle of the other gear remains unchanged. [T8.22]
 struct LeadAnswer {
-  std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2; none if above 0.01 rad
+  std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2; none if not within ±0.01 rad
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
   double slope;  ///< dTE/dφ1 in the middle of the mesh, before the correction
 };

@@ -77,7 +77,8 @@ std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te, int most = 20);
 
-/// Returns TE at equal steps over one pitch, from −1/2 pitch on, rad. TE is NaN if contact is lost.
+/// Returns TE, in rad, at equal steps over the pitch that begins at −1/2 pitch. TE is NaN if
+/// contact is lost.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
 /// Greatest minus least value; NaN if all values are NaN.

@@ -178,7 +178,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
       // The borders of the field and of the profile differ by the rounding of ln ρ. A cell that
-      // overlaps this piece of the profile by this difference only belongs to the next piece.
+      // overlaps this piece of the profile only by this difference belongs to the next piece.
       constexpr double kSameBorder = 1e-12;  // in u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {

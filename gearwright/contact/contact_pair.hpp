@@ -92,7 +92,8 @@ class ContactPair {
   bool is_rack() const { return rack_radius_ > 0.0; }
   /// The reference radius of the pinion of a rack, mm; 0 for two gears.
   double rack_radius() const { return rack_radius_; }
-  /// The diameter at u = ln ρ of a gear, mm; for a rack, the height above the datum line.
+  /// The diameter at u = ln ρ of a gear, mm. For a rack, the height above the datum line at u =
+  /// height/r.
   double diameter(int gear, double u) const;
   double u_at(int gear, double diameter) const;  ///< the inverse of diameter()
   bool gear2_drives() const { return place_.gear2_drives; }

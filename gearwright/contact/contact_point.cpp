@@ -47,7 +47,7 @@ TouchKind kind_of(const GapField& field, const detail::ActiveSet& set) {
   return second == TouchKind::none ? first : TouchKind::corner;
 }
 
-constexpr double kOnBound = 1e-12;  // rounding error of a point on a bound, as a scaled length
+constexpr double kOnBound = 1e-12;  // rounding error of a point on a bound; a scaled length
 
 struct Place {
   double s, z;
@@ -117,7 +117,7 @@ class LineWalk {
 
   // Returns the greatest multiple of kStep, at most kMost, up to which the line lies inside D.
   double last_inside(int sense) const {
-    constexpr double kMost = 4.0;  // half lengths of the patch, longer than its diagonal
+    constexpr double kMost = 4.0;  // in half lengths of the patch; exceeds half its diagonal
     constexpr double kStep = 0x1p-48;
     // Each bound is nearly linear along the line, so secants find the first bound that is crossed.
     double before = 0.0, t = 1.0;
@@ -156,8 +156,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the
-// whole length of the edge touches.
+// True if a bound is active and its multiplier is positive, as far as kLineGap can distinguish it
+// from 0. The touch is then at an edge, even if the edge touches along its whole length.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   const Touch& t = touch.touch;

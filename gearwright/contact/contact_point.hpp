@@ -31,8 +31,8 @@ enum class TouchKind {
   corner
 };
 std::string_view to_string(TouchKind kind);
-/// True for the edges of a tooth, where no contact should occur. A start of a relief is not an
-/// edge.
+/// True for the edges of a tooth, where no contact should occur. The line at which a relief starts
+/// is not an edge.
 bool is_edge(TouchKind kind);
 /// True for edges and for ridges, where the slope of the surface jumps. A touch of this kind has no
 /// contact ellipse, and a computed pressure is only a lower bound of the actual pressure.
@@ -43,7 +43,7 @@ bool is_sharp(TouchKind kind);
 inline constexpr double kLineGap = 1e-6;
 
 struct ContactEllipse {
-  std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none if the gap is flat in that direction
+  std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none if k1 ≤ 0
   double semi_minor;                 ///< √(2δ/k2)  mm
   /// Angle of the major axis about the normal, in (−π/2, π/2]. It is 0 along the projection of axis
   /// 1 onto the tangent plane.

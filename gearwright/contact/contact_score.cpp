@@ -99,6 +99,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
     c.te.push_back(t.te());
     ++n;
     // Every point of a contact line touches, so the touch has no definite position along the face.
+    // Its height counts as 0.
     if (!t.touch.flat) height += transmission.pair().turned() * t.touch.z / z_half;
     if (target.width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);

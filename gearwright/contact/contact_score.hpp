@@ -1,7 +1,7 @@
 // Computes a few numbers that describe the quality of the contact of a pair.
 //
 //   TE  transmission error (transmission.hpp)     N   frame of contact_pair.hpp
-//   h   mean position of the contact along the face, −1 to 1, towards +z
+//   h   mean position of the contact along the face, from −1 to +1 in the direction of +z
 //   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile, relative to a target; 0 without a target
 //

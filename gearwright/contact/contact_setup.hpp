@@ -38,8 +38,8 @@ class ContactSetup {
   /// Makes the setup of a pair. If `fields` is true for a gear, the gear gets a field of removed
   /// material even if nothing is removed, because derivatives need the field.
   ///
-  /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
-  ///           `errors.cutter_lead[N−1]` as check_cutter_lead
+  /// Errors    `gearN` if the gear has no usable flank; `gearN.modifications.…` as
+  ///           make_removal_field; `errors.cutter_lead[N−1]` as check_cutter_lead
   static Result<ContactSetup> of(const Pair& pair, const ContactErrors& errors,
                                  const PairModifications& modifications = {},
                                  std::array<bool, 2> fields = {});
@@ -47,7 +47,7 @@ class ContactSetup {
   /// The pair for the analysis. It refers to the data of this setup, which must outlive the pair.
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
-  /// Returns the pair under these errors. The pair owns a copy of this setup and may outlive it.
+  /// Returns the pair under `errors`. The pair owns a copy of this setup and may outlive it.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
   /// Returns the pair with root fillets and rounded tips in addition to the flanks. Returns none if
@@ -60,7 +60,7 @@ class ContactSetup {
   const RemovalField* removal(int gear, bool left) const;
   /// Returns the setup after this change.
   ///
-  /// Domain    a tool setting of 0 without a convex_gear() (contract)
+  /// Domain    a tool setting of 0 if convex_gear() is none (contract)
   /// Errors    `gearN.modifications.…` as make_removal_field; `gearN.…` as make_gear for the
   ///           changed tool setting; `compensate.corrections` if this setting leaves no tooth
   Result<ContactSetup> changed(const SetupChange& change) const;
@@ -110,10 +110,10 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// Returns the error for a pair whose teeth touch at no position. The text of the error gives the
+/// Return the error for a pair whose teeth touch at no position. The text of the error gives the
 /// reason, for example tips that do not reach each other. The field is `errors` or, without errors,
-/// `pair.center_distance`. The second function applies to a pair under `errors`, a scenario of
-/// [compensate.range] with the name `name`. Its field is `compensate.range`.
+/// `pair.center_distance`. The second function applies to the scenario `name` of
+/// [compensate.range], which has these `errors`. Its field is `compensate.range`.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

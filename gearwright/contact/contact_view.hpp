@@ -27,7 +27,7 @@ struct ContactView {
   ContactResult other;              ///< the non-working flanks, at the same positions
   double marking = 0.0;             ///< thickness of the marking compound, mm
   std::optional<Angle> min_play{};  ///< play of gear 2 between its flanks; < 0 if the gears jam
-  /// The peak to peak of the continuous transmission error of the working flanks, or nothing if
+  /// The peak to peak of the continuous transmission error of the working flanks, or none if
   /// contact is lost.
   std::optional<Angle> continuous_span{};
   std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative

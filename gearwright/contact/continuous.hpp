@@ -8,7 +8,7 @@
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
-// handover, where T_a = T_b. TE jumps if a branch begins with a greater T than all others.
+// handover, where T_a = T_b. TE jumps if a branch begins or ends with a greater T than all others.
 //
 // If only the values at the positions are used, the greatest minus the least TE is too small. The
 // missing part depends on where the handovers lie between the positions. It is at most half of the
@@ -52,7 +52,8 @@ inline constexpr int kLeastSpanPositions = 32;
 /// position. The function uses at least kLeastSpanPositions.
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 
-/// Returns ∂span/∂e, rad per unit of e. `transmission` must be the one that computed `extremes`.
+/// Returns ∂span/∂e in rad per unit of the error e that `influence` describes. `transmission` must
+/// be the one that computed `extremes`.
 ///
 /// Formula   [T8.10] inside a branch, [T14.16] at a handover
 /// Domain    as sensitivity() (contract)

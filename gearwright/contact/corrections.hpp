@@ -57,12 +57,12 @@ std::optional<std::vector<Influence>> influences_of(
 ContactSetup with_fields_for(const ContactSetup& setup,
                              const std::vector<WorkshopCorrection>& corrections);
 
-/// The usual bounds of a correction and the usual step, in the unit of the correction. A tool
-/// setting is at most a tenth of the module, and at most 5 mm.
+/// The usual bounds of a correction and the usual step, in the unit of the correction. The bounds
+/// of a tool setting are plus and minus a tenth of the module, but not more than 5 mm.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// Returns the task of computing these corrections within bounds_of(). The task improves the worst
-/// of the `scenarios`.
+/// Returns the task of computing these corrections within bounds_of(). The task minimises the cost
+/// of the worst of the `scenarios`.
 ///
 /// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -7,14 +7,15 @@ namespace gearwright {
 
 namespace {
 
-// If `early` is below this limit, it is a rounding error, as where a fillet continues the flank.
+// If `early` does not exceed this limit, it counts as a rounding error. Such errors occur where a
+// fillet continues the flank.
 constexpr double kTouching = 1e-8;  // mm
 
 // The number of rotations is limited, because the user may request up to 10⁶ positions, and a
 // position with fillets takes several times as long as a position without fillets.
 constexpr std::size_t kMaxRotations = 64;
 
-// Returns the arm about axis 2 of the normal at the touch, mm.
+// Returns the lever arm of the contact normal about axis 2, mm.
 double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   const ContactMount& m = pair.place();
   const double sigma = m.axis_angle.rad();

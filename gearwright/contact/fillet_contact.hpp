@@ -4,7 +4,7 @@
 // wrong transmission error TE. The search [T8.2] is therefore repeated with the fillets as
 // additional patches. It gives TE_f. The difference gives the gap between the flanks:
 //
-//   early = |TE_f − TE| h   mm, where h is the arm of the normal at the touch about axis 2, mm
+//   early = |TE_f − TE| h   mm, where h is the lever arm of the contact normal about axis 2, mm
 #pragma once
 
 #include <optional>
@@ -32,8 +32,8 @@ struct FilletContacts {
 /// are the positions of analyse_contact() for the flanks alone.
 ///
 /// `outlines`  the pair to which `flanks` belongs, but with ContactMount::fillets = true
-/// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,
-///             so an earlier contact between these rotations may be missed
+/// Accuracy    rounding at each examined rotation. At most 64 rotations at equal steps are
+///             examined, so a contact with a greater `early` between these rotations may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
                                Progress* progress = nullptr);
 

@@ -89,7 +89,7 @@ struct HalvesContact {
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
   /// Returns the positions of half A, followed by the positions of the mirror image of half B. A
-  /// verdict on the result covers both halves.
+  /// verdict on these positions applies to both halves.
   ContactResult on_halves() const;
 };
 
@@ -107,7 +107,8 @@ std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 /// function uses at least kLeastSpanPositions.
 ///
 /// Accuracy  1e-12 rad at the extremes that are found. A branch may be overlooked if it has the
-///           greatest T for less than one step, the pitch divided by `positions`
+///           greatest T for less than one step. A step is the pitch divided by the number of
+///           positions
 std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions);
 
 }  // namespace gearwright

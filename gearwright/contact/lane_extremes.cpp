@@ -1,7 +1,7 @@
-// Extremes of the transmission error T between the positions of a track. T and its slope are
-// known at every position. A cubic through two positions therefore predicts where T is extreme,
-// or where one tooth pair hands over to the next. LaneSearch then computes the touches at all
-// predicted points of a pitch together.
+// Extremes of the transmission error TE between the positions of a track. The gap field T of each
+// tooth pair and its slope are known at every position. A cubic through two positions therefore
+// predicts where T is extreme, or where one tooth pair hands over to the next. LaneSearch then
+// computes the touches at all predicted points of a pitch together.
 #include <array>
 #include <cmath>
 
@@ -16,8 +16,8 @@ namespace {
 constexpr double kFlatLane = 1e-12;
 // The search for a handover ends at this distance from it, in steps. T is then extrapolated.
 constexpr double kLastStep = 1e-6;
-// At a handover between two tooth pairs, a third pair may have the greatest T if its estimated T is
-// below the T of the two pairs by less than this angle, rad.
+// At a handover between two tooth pairs, a third pair may have the greatest T unless its estimated
+// T is below the T of the two pairs by at least this angle, rad.
 constexpr double kClose = 1e-7;
 constexpr int kMostRounds = 30;  // two are usual
 constexpr int kNewton = 5;       // last round with Newton steps; later rounds use within()

@@ -14,8 +14,9 @@ constexpr double kRough = 1e-7;  // rad, margin for comparing the gap field T of
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes whose only error is one of the centre distance.
-// At a fixed z, the roll angle s of the line changes by the angle through which gear 1 turns.
+// The line of contact of two involute gears on parallel axes. The centre distance is the only
+// quantity that may have an error. At a fixed z, the roll angle s of the line changes by the angle
+// through which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // part of flank 1 that faces flank 2

@@ -40,13 +40,13 @@ struct Contact : ContactResult {
 /// The pair for contact analyses, patterns, maps and CompensationTask::pair_at. It owns its gears.
 ///
 /// Units     mm, rad
-/// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
-///           `errors.cutter_lead[N−1]` as check_cutter_lead
+/// Errors    `gearN` if the gear has no usable flank; `gearN.modifications.…` as
+///           make_removal_field; `errors.cutter_lead[N−1]` as check_cutter_lead
 Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
-/// Returns an error if analyse_contact() does not allow the request.
+/// Returns an error if a value of the request lies outside the domain of analyse_contact().
 std::optional<Error> check_request(const ContactRequest& request);
 
 /// Analyses the contact of the pair under its errors. Lost contact is not an error. In this case,

@@ -80,7 +80,8 @@ class Profile {
     const auto* piece = std::get_if<InvolutePiece>(&piece_);
     return piece ? piece->curve : nullptr;
   }
-  /// Returns the normal angle of the generating rack, or none if no circular arc cut the piece.
+  /// Returns the normal angle of the generating rack, or none if the piece is not cut by a circular
+  /// arc of a rack.
   std::optional<double> rack_angle(double s) const;
 
  private:

@@ -27,15 +27,15 @@ struct RackContact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 
-/// Returns an error if `errors.helix_twist[1]` or `errors.cutter_lead[1]` is not 0, because a rack
-/// has no errors of its teeth.
+/// Returns an error if `errors.helix_twist[1]` or `errors.cutter_lead[1]` is not 0, because errors
+/// of the teeth of a rack are not supported.
 std::optional<Error> check_rack_errors(const ContactErrors& errors);
 
 /// Makes the pair of a pinion and a rack for contact analyses. The result owns the pinion.
 ///
 /// Units     mm, rad; `options.modifications[1]` must be empty (contract)
-/// Errors    `gear1` without a usable flank; `gear1.modifications.…` as make_removal_field;
-///           `errors.cutter_lead[0]` as check_cutter_lead; as check_rack_errors
+/// Errors    `gear1` if the pinion has no usable flank; `gear1.modifications.…` as
+///           make_removal_field; `errors.cutter_lead[0]` as check_cutter_lead; as check_rack_errors
 Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});

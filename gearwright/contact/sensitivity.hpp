@@ -41,9 +41,9 @@ struct Sensitivity {
   Vec3 point;  ///< ∂r/∂e    mm per unit of e, in the housing
 };
 
-/// The derivatives at a touch.
+/// Returns the derivatives of TE and of the contact point at a touch.
 ///
-/// Units     rad, mm; per mm or rad of the influence
+/// Units     rad or mm, per mm or per rad of the influence
 /// Domain    a touch with contact; a modified gear has a RemovalField (contract)
 /// Accuracy  `te` to rounding; `point` as accurate as the contact point. For a line contact,
 ///           `point` has no meaning

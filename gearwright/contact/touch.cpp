@@ -17,7 +17,7 @@ constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxTouchSteps = 80;
 constexpr double kBroken = 1e-9;       // scaled; greatest violation of a bound by a valid touch
 constexpr double kWorse = 1e-13;       // rad; rounding error of the gap field T and of the merit
-constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
+constexpr double kTinySquare = 1e-12;  // square of a scaled length; steps below it are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
 // Two touches count as one maximum if their T differs by less than kSameTe, rad, and their scaled
 // distance is less than kSamePlace.

@@ -77,7 +77,8 @@ class TouchSearch {
     double s_mid, s_half, z_mid, z_half, u_width, Z_width;
   };
   void fill(const GapJet& at, double s, double z, detail::StepProblem& p) const;
-  /// The interval of z in which flank 1 can be in mesh. Returns false if it is empty.
+  /// Computes the interval of z in which flank 1 can be in mesh. Returns false if the interval is
+  /// empty.
   bool window(double& z_lo, double& z_hi) const;
   bool within_a_turn(const Touch& t) const;
   /// The points (s, z, s2) from which searches on uneven flanks start.

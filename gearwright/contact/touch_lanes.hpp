@@ -17,9 +17,9 @@
 
 namespace gearwright::detail {
 
-/// The columns of a step: constants of the flanks and of the mounting, and the state of the search.
-/// The angle of each flank (B1, B2 of touch_lanes.inc) is the polynomial
-/// b_0 + b_1 (ξ − ξ_mid) + b_2 (ξ − ξ_mid)² + q_1 z + q_2 z².
+/// The input columns of a step. They contain constants of the flanks and of the mounting, and the
+/// state of the search. The angle of each flank (B1, B2 of touch_lanes.inc) is the polynomial b_0 +
+/// b_1 (ξ − ξ_mid) + b_2 (ξ − ξ_mid)² + q_1 z + q_2 z².
 // clang-format off
 enum class LaneIn : std::size_t {
   r1, c1, s_mid, s_half, z_mid, z_half, b1_0, b1_1, b1_2, q1_1, q1_2,
@@ -50,7 +50,8 @@ void touch_step_scalar(LaneBlock& block);
 
 class LaneSearch {
  public:
-  /// Returns none if a flank is not an involute, or if its modifications are not polynomials.
+  /// Returns none if gear 2 is a rack or if a flank is not an involute. Also returns none if its
+  /// modifications are not polynomials of second degree.
   static std::optional<LaneSearch> of(const Transmission& transmission);
 
   /// Searches for touches of tooth pair 0. Each search starts at `touch.s` and `touch.z`. If the

@@ -23,8 +23,8 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
   return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// True if the flanks overlap beside the line of action. Such an overlap occurs for internal pairs
-// on crossed axes [T4.35]. The gap field T then has a maximum at an edge on each side of the line.
+// True for an internal pair on crossed axes, whose flanks overlap beside the line of action
+// [T4.35]. The gap field T then has a maximum at an edge on each side of the line.
 bool is_saddle(const ContactPair& pair) {
   return pair.side() < 0.0 && pair.place().axis_angle != Angle();
 }

@@ -55,7 +55,8 @@ class Transmission {
   /// Makes the transmission of a pair, which must outlive it. `progress` counts every position.
   explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
-  /// The touches at n positions over one pitch, in steps of pitch/n from `first` in frame N, rad.
+  /// Returns the touches at n positions over one pitch. The rotations begin at `first` and increase
+  /// by pitch/n, in rad, in the frame N.
   std::vector<PairTouch> over_a_pitch(double first, int n);
   /// Returns the touch at any rotation. The search does not use other touches.
   PairTouch at(double phi);

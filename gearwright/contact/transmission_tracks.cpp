@@ -1,4 +1,4 @@
-// Transmission over a pitch: one tooth pair is followed through its positions.
+// Computes the touches over a pitch. One tooth pair is followed through its positions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -153,7 +153,7 @@ std::vector<int> Transmission::largest_first() const {
   return numbers;
 }
 
-// A touch of tooth pair 0 on a convex flank.
+// Returns the touch of tooth pair 0 on convex flanks. If there is none, the result is not found().
 PairTouch Transmission::first_touch(double phi) {
   for (const int f : largest_first()) {
     fields_[static_cast<std::size_t>(f)]->set_rotation(phi);

@@ -13,8 +13,9 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr int kAcross = 5;  // points examined on a profile over which T may have several maxima
 
-// A wave over the profile, as a complex number whose phase advances from point to point. The
-// imaginary part of `at` is the value of the wave.
+// A wave over the profile, as a complex number `at` whose phase advances from point to point. At
+// each step, `at` is multiplied by `turn`, and `turn` is multiplied by `faster`. The imaginary part
+// of `at` is the value of the wave.
 struct Phasor {
   Complex at{}, turn{}, faster{};
 };
@@ -43,8 +44,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double roll2_ss = roll2_ss_.along_x(y).at(x);
   // The points of flank 1 that lie opposite the ends of flank 2. A parabola in s approximates L of
   // the opposite point of flank 2. If the parabola does not reach an end, the result is a point
-  // beyond its vertex: twice as far from the ridge as where the tangent at the ridge reaches the
-  // end.
+  // beyond the vertex of the parabola. This point is twice as far from the ridge as the point at
+  // which the tangent at the ridge reaches the end.
   const auto opposite = [&](double end) {
     const double rest = end - roll2;
     const double root = roll2_s * roll2_s + 2 * roll2_ss * rest;
@@ -57,7 +58,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   n.z = z;
   n.inside = std::min(ridge - lo, hi - ridge);
   if (lo > hi) return n;
-  // The slope of T is about the curvature of T at the ridge times the distance from the ridge.
+  // The slope of T is approximately the product of the curvature of T at the ridge and the distance
+  // from the ridge.
   const auto bends = bend_.along_x(y);
   const double bend = bends.at(x);
   const double bend_s = (bends.c[1] + 2 * bends.c[2] * x) / s_half_;

@@ -78,14 +78,16 @@ class WaveCrests {
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // Returns the path of contact for an error of the centre distance only, or none if it is empty.
-  // If the patches lie so far apart that they never touch, apart() also becomes true.
+  // Returns the path of contact of a pair whose only error is one of the centre distance. Returns
+  // none if this path is empty. If the patches lie so far apart that they never touch, apart() also
+  // becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
   // Moves the ends of the path to the exact ridges opposite the ends of flank 2. Returns false if a
   // ridge cannot be computed, or if the path is empty.
   bool adjust(GapField& field, Path& path);
-  // Returns the exact ridge of the smooth flanks at a point, or none without convergence.
+  // Returns the exact ridge of the smooth flanks at a point, or none if the search does not
+  // converge.
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
   std::optional<Ridge> ridge_at(GapField& field, const Path& path, double x, double y) const;
   std::optional<Ridges> ridges_on(GapField& field, const Path& path) const;

@@ -14,7 +14,7 @@
 // length than with t.
 //
 //   Laws  (1) parameter(0) = t0 and parameter(L) = t1, to the last bit
-//         (2) parameter(length_to(t)) = t up to rounding divided by the speed
+//         (2) parameter(length_to(t)) = t up to the rounding error of s divided by the speed
 //         (3) exchanging t0 and t1 does not change the length
 #pragma once
 

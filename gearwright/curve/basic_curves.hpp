@@ -178,7 +178,8 @@ class Involute final : public JetCurve<Involute> {
 /// W(t) = D e^{iγ} + r e^{it}. [T6.1]
 ///
 /// Laws  (1) |W|² = D² + r² + 2 D r cos(t − γ), so |W| is least at t = γ ± π and greatest at t = γ
-/// Domain  D > 0, r > 0; a range of t must lie on one side of γ, so that |W| is monotone
+/// Domain  D > 0, r > 0; a range of t must lie in [γ − π, γ] or in [γ, γ + π], so that |W| is
+///         monotone
 class OffsetCircle final : public JetCurve<OffsetCircle> {
  public:
   OffsetCircle(double distance, double direction, double radius)
@@ -190,9 +191,9 @@ class OffsetCircle final : public JetCurve<OffsetCircle> {
   double distance() const { return distance_; }
   double direction() const { return direction_; }
   double radius() const { return radius_; }
-  /// |t − γ| of the two points at which a ray from the gear axis is tangent to the circle. There,
-  /// cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside or on the
-  /// circle.
+  /// |t − γ| at the two points where rays from the gear axis are tangent to the circle. At these
+  /// points, cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside or
+  /// on the circle.
   std::optional<double> tangent_ray() const;
 
  private:

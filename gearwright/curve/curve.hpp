@@ -30,8 +30,8 @@ class Curve {
  public:
   virtual ~Curve() = default;
   virtual Vec2 point(double t) const = 0;
-  /// Point, tangent and curvature at t. They do not depend on the speed at which t runs along the
-  /// curve, and the envelope of a curve requires nothing else.
+  /// Point, tangent and curvature at t. Tangent and curvature do not depend on the speed |dW/dt|.
+  /// The envelope of a curve is computed from these values only.
   virtual CurvePoint at(double t) const = 0;
 
   /// arg W(t) [T1.1], rad, in (−π, π]. In a subclass that overrides this function, the result is
@@ -92,8 +92,9 @@ struct LogSlopes {
 ///
 ///     Plane<T> point()      T tangent_angle()      T curvature()
 ///
-/// A member computes only its own terms. A member `T polar_angle()` replaces the argument of the
-/// point. The jet of a flank in contact also has the members of which polar_jet() makes a PolarJet.
+/// Each member computes only the terms that it needs. If the jet also has a member `T
+/// polar_angle()`, polar_angle() returns its value instead of the argument of the point. The jet of
+/// a flank in contact also has the members from which polar_jet() makes a PolarJet.
 template <class Self>
 class JetCurve : public Curve {
  public:

@@ -68,8 +68,9 @@ struct DesignRow {
 
 /// Returns the row of a trial, or none if its region has no usable point. A row whose safety
 /// factors are too low, or whose drawing is rejected, is also returned; see short_of(). If `detail`
-/// is RegionDetail::point, the values of the region are omitted. Their computation takes a hundred
-/// times as long as that of all other values. The shifts are the same for both values of `detail`.
+/// is RegionDetail::point, the values of the region are omitted, because their computation takes a
+/// hundred times as long as that of all other values. The shifts are the same for both values of
+/// `detail`.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
@@ -84,8 +85,9 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
 /// the line of balanced strength, or lacks the value of the objective, has no cost. Rows without a
 /// cost are ranked last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
-/// The key by which rows are sorted. The objective is compared first, then contact ratio, module,
-/// z1, z2 and trial number. No two rows have equal keys. The row with the smaller key comes first.
+/// The key by which rows are sorted. Rows without a cost come last. The other rows are compared by
+/// cost first, then by contact ratio (the greater one first), module, z1, |z2| and trial number. No
+/// two rows have equal keys.
 struct RankKey {
   bool without_cost;
   double cost, contact_ratio, module;

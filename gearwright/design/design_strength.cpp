@@ -83,7 +83,7 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
     g.reference_diameter = reference.reference_diameter;
     g.base_diameter = reference.base_diameter;
     g.tip_form_diameter = tip_diameter(graph, row, i);
-    g.tip_diameter = g.tip_form_diameter;  // the mating flank is long enough
+    g.tip_diameter = g.tip_form_diameter;  // the whole tip touches the mating flank
     g.root_diameter = root_diameter(graph, row, i);
     g.tooth_height = std::abs(g.tip_diameter - g.root_diameter) / 2;
     g.profile_shift = row.shift[i];
@@ -160,7 +160,8 @@ struct LeastSafeties {
 };
 
 // Returns the safety factors for one state of the teeth. A state is the nominal design, or the pair
-// at one combination of tolerance ends. `input` contains the gear body of the nominal design.
+// at one combination of the limits of the tolerances. `input` contains the gear body of the nominal
+// design.
 LeastSafeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
@@ -249,8 +250,8 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
     if (drawn.runs || drawn.at_ends.empty() || !wider) break;
-    // If the safety factors are too low at some tolerance ends, the face width is chosen once more,
-    // with the states at all tolerance ends.
+    // If the safety factors are too low at some limits of the tolerances, the face width is chosen
+    // once more. The states at all limits of the tolerances are then taken into account, too.
     states.resize(1);
     std::move(drawn.at_ends.begin(), drawn.at_ends.end(), std::back_inserter(states));
     set_face_width(graph, row, *wider);

@@ -10,9 +10,9 @@ namespace gearwright {
 
 namespace {
 
-// Every stage of a train has its own mesh frequency. The output torque T_o is 1. The tooth load λ_m
-// of a stage, divided by T_o, is therefore the torque on the wheel of the stage divided by the
-// number of teeth of this wheel.
+// Every stage of a train has its own mesh frequency. The output torque T_o is set to 1. The ratio
+// λ_m of the tooth load of a stage to T_o is therefore the torque on the wheel of the stage divided
+// by the number of teeth of this wheel.
 std::optional<double> noise_of_train(const StandardTeeth& teeth, const DriveCandidate& candidate) {
   std::vector<WindupMesh> meshes;
   double torque = 1.0;

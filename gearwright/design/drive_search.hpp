@@ -170,8 +170,8 @@ inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 /// Domain    for a set, bands of teeth from 1 to kMostDriveTeeth; for a limited centre distance, a
 ///           train with `module_per_stage` = false (contract)
 /// Errors    for a set, `drive.fixed`, `drive.input` or `drive.output` if the set has no such
-///           member, if several members have one of the first two functions, or if one member has
-///           two functions
+///           member, if there is more than one fixed member or more than one input, or if one
+///           member has two of these functions
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
 /// Sets the fixed, input and output members that the problem does not give. In a set with two rings
 /// (wolfrom) or two suns, one ring or sun is fixed, and the other is the output. For other kinds,

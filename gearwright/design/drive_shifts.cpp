@@ -17,8 +17,9 @@ double rounded_up(double x) {
   return std::ceil(x * kPerUnit) / kPerUnit + 0.0;  // + 0.0 turns −0 into 0
 }
 
-// Returns x_u of each external gear: the limit for teeth without allowance, minus x_E − x, the
-// distance by which the thickness allowance moves the cutter.
+// Returns x_u of each external gear. x_u is the limit for teeth without allowance minus x_E − x.
+// The difference x_E − x is the distance, in modules, by which the thickness allowance moves the
+// cutter.
 GearShifts undercut_limits(const DriveGraph& graph) {
   GearShifts limits;
   for (const DriveGear& gear : graph.gears) {

@@ -34,7 +34,8 @@ constexpr double kOffBase = 1e-9;
 // Relative rounding error between two computations of the same radius.
 constexpr double kSameRadius = 1e-9;
 
-// The rank of a feasible candidate: the contact ratio in steps of 0.02, then |x1 + x2|.
+// The rank of a feasible candidate. The contact ratio in steps of 0.02 is compared first, then |x1
+// + x2|.
 struct Rank {
   double ratio, sum;  // contact ratio and |x1 + x2|, as whole numbers of steps
 

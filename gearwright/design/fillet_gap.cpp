@@ -88,8 +88,8 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
   // Between the neighbours of the lowest node, the gap has one minimum. Golden section locates this
-  // minimum to a thousandth of a step. At a minimum, such an error changes the gap by only a
-  // millionth of a step.
+  // minimum to about a thousandth of a step. At a minimum, such an error changes the gap only to
+  // second order.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
   double hi = node(std::min(best + 1, kNodes));

@@ -1,8 +1,9 @@
 // Finds gears for a given centre distance, shaft angle and ratio. This is the inverse problem of
 // computing a pair from its gears.
 //
-//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, where β_w2 = Σ − β_w1; H is the sum of the pitch diameters
-//        in units of p_n/π
+//   H(β_w1) = σ z1/cos β_w1 + |z2|/cos β_w2, where β_w2 = σ (Σ − β_w1); H is the sum of the pitch
+//        diameters (for an internal pair, their difference) in units of p_n/π; σ is −1 for an
+//        internal pair, otherwise 1
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //

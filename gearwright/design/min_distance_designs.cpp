@@ -4,7 +4,8 @@
 //   H      sum of the pitch diameters in units of p_n/π (design/fit.hpp)
 //   β_w1   the only unknown; all other values follow in closed form:
 //          β_w2 = σ (Σ − β_w1), H, cos α_wn = H m_n cos α_n/(2a), sin β = sin β_w cos α_wn/cos α_n,
-//          2 tan α_n Σx = Σ z (inv α_wt − inv α_t)                             [T4.29]…[T4.32]
+//          2 tan α_n (x1 + x2) = z1 (inv α_wt1 − inv α_t1) + z2 (inv α_wt2 − inv α_t2)
+//                                                                              [T4.29]…[T4.32]
 #include "gearwright/design/fit.hpp"
 
 #include <fmt/format.h>

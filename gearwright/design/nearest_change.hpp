@@ -10,7 +10,7 @@
 //                   trial. This happens for about ln n of n trials.
 //   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
-// For rated designs, the load, the face width and the steel are changed as well.
+// For rated designs, the load, the face width and the steel are also changed.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // Searches for designs. For every trial, the search computes a design or the limit that rejects the
-// trial. It sorts the best designs.
+// trial. The result contains the best designs in sorted order.
 //
 // Ranges of trials are searched independently, so a search can be divided among threads, shards and
 // ranks. The first three limits need only a few operations and reject most trials. The filter

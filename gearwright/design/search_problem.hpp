@@ -36,7 +36,7 @@ enum class Limit {
   interference,
   safety_flank,  ///< S_H for the shifts of the design
   safety_root,   ///< S_F for the shifts of the design
-  verdict        ///< verdict on the drawing of the design at all tolerance ends
+  verdict        ///< verdict on the drawing of the design, at all limits of the tolerances
 };
 inline constexpr int kRegionLimits =
     7;  ///< number of limits that define the region; these limits come first
@@ -121,7 +121,7 @@ struct SearchAllowances {
   std::string series;                             ///< series of DIN 3967, for example "cd25"; if
                                                   ///< empty, `backlash` is used
   std::optional<std::array<double, 2>> backlash;  ///< j_n  mm, least and greatest
-  std::optional<std::string> distance_tolerance;  ///< tolerance of the centre distance by ISO 286,
+  std::optional<std::string> distance_tolerance;  ///< tolerance of the centre distance to ISO 286,
                                                   ///< for example "JS7"
 
   bool thin_teeth() const { return !series.empty() || backlash; }
@@ -133,9 +133,10 @@ struct SearchProblem;
 /// The verdict on the drawing of a design.
 struct DrawnDesign {
   bool runs = false;                                ///< true if no finding is worse than green
-  std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both ends of the tolerances
-  /// The pair at every combination of tolerance ends. A wider face may help if insufficient safety
-  /// factors are the only reason why the design does not run. The list is filled only in this case.
+  std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both limits of the tolerances
+  /// The pair at every combination of the limits of the tolerances. The list is filled only if
+  /// insufficient safety factors are the only reason why the design does not run, because a wider
+  /// face may help only then.
   std::vector<RatedPair> at_ends{};
 };
 using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;

@@ -40,7 +40,7 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
                                            int which, int from, int to);
 
 /// The point of the chart at which the curve of x_u intersects the curve of x_t for
-/// kChartTips[tip]. There is no such point if the curves do not intersect.
+/// kChartTips[tip]. where_limits_meet() returns none if the curves do not intersect.
 ///
 /// Accuracy  0.01 teeth, because chords replace the curves between whole numbers of teeth
 struct LimitsMeet {

@@ -34,7 +34,7 @@ struct PointCounts {
   std::int64_t tested = 0, feasible = 0;
   std::int64_t asked = 0;  ///< number of points decided by the graph
 };
-/// Appends the feasible points of a trial in ascending order of x1, and then of x2.
+/// Appends the feasible points of a trial, sorted by x1 and then by x2.
 ///
 /// Domain    step > 0; `region` is the region of `graph` (contract)
 PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, double step,

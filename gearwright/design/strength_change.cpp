@@ -40,7 +40,7 @@ void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   k.push_back({power ? "rating.power" : "rating.torque", load, kLightest * load, load,
                Knob::Kind::limit,
                [=](SearchProblem& q, double v) { q.rating->input.torque = torque * (v / load); }});
-  // Other face widths would need other helix angles, that is, other trials.
+  // If helix angles were chosen for the face widths, other face widths would require other trials.
   if (!p.choices.empty()) return;
   constexpr double kWidest = 4.0;
   if (const auto& band = p.face_width)

@@ -45,8 +45,9 @@ class TrainStrength {
   /// Returns false if, according to the estimate, this stage of the train cannot have the required
   /// safety factors.
   bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
-  /// Returns the face width, mm, with which this stage has the required safety factors by the fits.
-  /// The width in `candidate` is not used. Returns 0 if neither factor grows with the width.
+  /// Returns the face width, mm, with which this stage has the required safety factors according to
+  /// the fits. The width in `candidate` is not used. Returns 0 if neither factor grows with the
+  /// width.
   ///
   /// Formula   ln S_H = A + (p − 1/2) ln w and ln S_F = B + (q − 1) ln w, where p and q are the
   ///           coefficients of ln w in the fits; b = T_k/(w z_1) for the smaller w
@@ -55,7 +56,8 @@ class TrainStrength {
                      const Safeties& required) const;
   /// True if there is an estimate for trains with this number of stages.
   bool estimates(std::size_t stages) const { return stages <= stages_.size(); }
-  /// True if, by the estimate, a stage of the train cannot have the required safety factors.
+  /// True if, according to the estimate, a stage of the train cannot have the required safety
+  /// factors.
   ///
   /// `candidate`  with the greatest face widths, if the search chooses them
   /// Laws         (1) a train of the fits that has the required safeties is not hopeless

@@ -43,8 +43,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
 }
 
 // Returns N* = gcd |y·b|, where the rows y form a saturated basis of y·A = 0. Euclid's algorithm
-// transforms A to echelon form by unimodular steps. Some rows then have the A part 0. The last
-// column of each of these rows is a value y·b.
+// transforms [A | b] by unimodular steps so that A has echelon form. In every row whose part in A
+// is then 0, the last column is a value y·b.
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {

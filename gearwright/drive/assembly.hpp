@@ -33,15 +33,15 @@ struct Assembly {
 ///           N* = gcd |y·b| over the rows y of a saturated integer basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
-/// Computes the places of the copies. If the spec gives positions for the planets of the group, the
-/// copies are at these positions. Otherwise, they are at the places n_i = floor(i N*/N + 1/2),
-/// [T13.13]. If the spacing is `equal_clocked` or N* = 0, they are at equal pitch instead.
+/// Computes the places of the N copies. If the spec gives positions for the planets of the group,
+/// the copies are at these positions. Otherwise, they are at the places u_i = n_i/N* with
+/// n_i = floor(i N*/N + 1/2), [T13.13]. If the spacing is `equal_clocked` or N* = 0, they are at
+/// equal pitch instead. If there are fewer places than copies, some copies get the same place.
 ///
-/// Errors    `drive.spacing` if this spacing is impossible; for the spacing `equal`, the message
-///           proposes similar tooth numbers. `drive.positions` if the number of angles is not N;
-///           also if the teeth do not mesh at a given position, and then the message gives the
-///           nearest place. If there are fewer places than copies, some copies get the
-///           same place, and there is no error
+/// Errors    `drive.spacing` if this spacing is impossible. For the spacing `equal`, the message
+///           proposes similar tooth numbers. `drive.positions` if the number of angles is not N, or
+///           if the teeth do not mesh at a given position. In the second case, the message gives
+///           the nearest place
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 
 }  // namespace gearwright

@@ -34,7 +34,8 @@ using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 ///
 /// Formula   [T13.21], [T13.22]. Meshes that share a gear have one frequency, and their phase
 ///           follows from the angle between them on this gear, [T13.17]. Flanks without
-///           modifications and without errors of mounting are conjugate, and their curve is 0
+///           modifications and without errors of mounting are conjugate. Their curve is 0 if the
+///           total contact ratio is at least 1
 /// Domain    a drive made by make_drive(), with its flow if there is one. If the drive has
 ///           `contacts`, the function uses them, and they must have been computed with the same
 ///           errors. harmonics ≥ 1 (contract)

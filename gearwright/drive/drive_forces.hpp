@@ -27,7 +27,7 @@ struct MeshForces {
 struct BodyForces {
   double radial;   ///< N; the bearings carry it in shares that depend on the positions of the gears
   double axial;    ///< N, along +z
-  double tilting;  ///< moment of the axial forces, which tilts the body  N mm
+  double tilting;  ///< N mm, moment of the axial forces, which tilts the body
 };
 
 /// Returns the forces of a mesh. Returns none without a torque, a power flow or the mesh geometry,

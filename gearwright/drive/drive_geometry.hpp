@@ -27,7 +27,7 @@ struct GeometryFault {
 };
 
 struct DriveGeometry {
-  std::vector<std::optional<double>> distance;  ///< a of each mesh  mm
+  std::vector<std::optional<double>> distance;  ///< mm, a of each mesh
   std::vector<std::optional<double>> shift;     ///< x of each gear
   std::vector<std::optional<Gear>> gears;
   std::vector<std::optional<Pair>> pairs;      ///< a pair for each mesh of two gears
@@ -74,8 +74,8 @@ DriveGeometry drive_geometry(const DriveGraph& graph);
 DriveGraph with_backlash(DriveGraph graph);
 
 struct RiderPlace {
-  double distance;  ///< distance of the planet from the axis of the carrier  mm
-  double angle;     ///< direction to copy 0, counter-clockwise from copy 0 of the first rider  rad
+  double distance;  ///< mm, distance of the planet from the axis of the carrier
+  double angle;     ///< rad, direction to copy 0, counter-clockwise from copy 0 of the first rider
 };
 
 /// Computes the positions of the planets of a group from the centre distances of their meshes, in

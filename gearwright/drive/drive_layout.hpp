@@ -23,9 +23,9 @@ namespace gearwright {
 struct PlacedGear {
   std::size_t gear;  ///< index in the graph
   int copy;          ///< number of the copy of the body, from 0
-  Vec2 axis;         ///< position of the axis  mm; for a rack, the middle of the datum line
-  double angle;      ///< φ in the middle of the face  rad; for a rack, the direction to the pinion
-  double height;     ///< z of the middle of the face  mm
+  Vec2 axis;         ///< mm, position of the axis; for a rack, the middle of the datum line
+  double angle;      ///< rad, φ in the middle of the face; for a rack, the direction to the pinion
+  double height;     ///< mm, z of the middle of the face
 };
 
 /// A plane perpendicular to the axes, and the gears that it cuts.

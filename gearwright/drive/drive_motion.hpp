@@ -41,8 +41,8 @@ std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
 /// Computes the speeds of all bodies, the ratio and the degrees of freedom.
 ///
-/// Formula   W ω = 0, ω = 0 for fixed bodies, solved for each input with the speed 1;
-///           [T13.1]…[T13.5]
+/// Formula   W ω = 0 with ω = 0 for the fixed bodies, solved once for each input, with the speed 1
+///           of this input and the speed 0 of all other inputs; [T13.1]…[T13.5]
 /// Domain    a checked graph with at least one input (contract)
 /// Errors    `drive.fixed` if the drive is locked, with the fixed bodies or the meshes that lock
 ///           it, or if its speeds are undetermined; `drive.input`, `drive.output` if the body is

@@ -25,12 +25,13 @@ struct SlotRange {
 
 struct DrivePlaces {
   std::vector<Vec2> axes;        ///< axis of each body, mm; for a planet, the axis of copy 0
-  std::vector<double> turned;    ///< direction from the carrier's axis to copy 0 of a rider  rad
-  std::vector<double> radii;     ///< r_a of each gear, r_f of a ring, h_a of a rack  mm
+  std::vector<double> turned;    ///< rad, direction from the carrier's axis to copy 0 of a rider
+  std::vector<double> radii;     ///< mm, r_a of an external gear, r_f of a ring, h_a of a rack
   std::vector<int> mesh_slot;    ///< slot of each mesh
   std::vector<SlotRange> slots;  ///< slots of each gear
   int slot_count = 0;
-  bool true_scale = false;  ///< true if the teeth give the distances; false if z and module 1 do
+  bool true_scale = false;  ///< true if the positions follow from the geometry of the teeth; false
+                            ///< if they follow from the numbers of teeth with the module 1
 
   /// Returns the axis of copy `copy` of a body in the initial position.
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
@@ -49,7 +50,7 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
 Result<DrivePlaces> drive_places(const Drive& drive);
 
 /// Returns a note for each shaft whose axis is within the tip circle of an external gear on another
-/// axis. If such a shaft has bearings on both sides of the housing, it passes through this gear.
+/// axis. With bearings on both sides of the housing, such a shaft would pass through this gear.
 /// Planets and racks are not checked. Returns no notes if `places.true_scale` is false.
 std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces& places);
 

@@ -32,7 +32,8 @@ std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph,
 /// starts at or next to the number of teeth that needs no profile shift, and covers 40 teeth on
 /// both sides. There is no result if the mesh has no planet, or if no number of teeth is possible.
 ///
-/// Formula   |z_0| = 2 a cos β/m_n − z_p external, + z_p for a ring
+/// Formula   |z_0| = (2 a cos β)/m_n − z_p for an external central gear, and
+///           |z_0| = (2 a cos β)/m_n + z_p for a ring
 struct PossibleTeeth {
   std::size_t gear;
   int least, greatest, nominal;

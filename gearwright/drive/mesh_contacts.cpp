@@ -8,9 +8,9 @@ namespace gearwright {
 
 namespace {
 
-// Returns the contact of a mesh on its working flanks. `gear2_drives` selects the driving gear. If
-// the pair is not double-helical, only `whole` is set. Returns none if the flanks cannot be
-// computed.
+// Returns the contact of a mesh on the flanks that work if gear 2 drives (`gear2_drives` is true)
+// or if gear 1 drives. If the pair is not double-helical, only `whole` is set. Returns none if the
+// flanks cannot be computed.
 std::optional<HalvesContact> contact_of(const Drive& drive, std::size_t m,
                                         const ContactErrors& errors, const detail::MeshPhase& phase,
                                         bool gear2_drives) {

@@ -39,7 +39,8 @@ std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns)
 
 /// Computes the class of the phasing and the remaining fractions of harmonics 1 to `harmonics`.
 ///
-/// Formula   R_k = |Σ e^{−2πikγ_i}|/N, F_k^± = |Σ e^{−2πikγ_i ± 2πi u_i}|/N; [T13.18], [T13.19]
+/// Formula   R_k = |Σ exp(−2πj k γ_i)|/N, F_k^± = |Σ exp(−2πj k γ_i ± 2πj u_i)|/N with j² = −1 and
+///           sums over the copies i; [T13.18], [T13.19]
 /// Domain    one phase for each element of `turns`, at least one (contract)
 Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,
                 int harmonics);

@@ -68,8 +68,9 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
 }
 
 // Assigns a column to each unknown. A common rotation of all bodies changes no approach, so one
-// central body is held. The held body is the output. If the output is not a central body, a fixed
-// body is held, or without a fixed body another central body, preferably not an input.
+// central body is held. This is the output if the output is a central body. Otherwise, it is a
+// fixed central body. If there is no such body, it is any central body that is not an input, or
+// else an input.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);

@@ -34,8 +34,8 @@ struct MeshState {
 
 struct PlanetState {
   std::vector<std::vector<double>> forces;  ///< N, [mesh of PlanetEquilibrium::meshes()][planet]
-  double output = 0.0;  ///< δφ_o, rotation of the drive's output by this set [T13.27]  rad
-  Vec2 displacement = Vec2::Zero();  ///< D of the floating body  mm, in the carrier's frame
+  double output = 0.0;  ///< rad, δφ_o, rotation of the drive's output due to this set [T13.27]
+  Vec2 displacement = Vec2::Zero();  ///< mm, D of the floating body in the carrier's frame
   bool found = false;
 };
 

@@ -1,7 +1,8 @@
 // Computes torques, powers and losses of a drive, and the direction of the power in every mesh.
 //
 //   λ_m    tooth load of a mesh in the unit "torque per tooth", all copies together
-//   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)    σ = ±1: a or b drives [T13.6], [T13.7]
+//   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)                          [T13.6], [T13.7]
+//   σ      1 if gear a drives, −1 if gear b drives
 //   Σ_m T_body,m + T_ext = 0 on every body [T13.8]; power flows in if T_ext ω > 0
 //                                              theory: docs/theory/13-drives.md
 //
@@ -16,7 +17,8 @@
 
 namespace gearwright {
 
-/// η of a mesh with its frame at rest, first if gear a drives, then if gear b drives.
+/// The efficiency η of a mesh with its frame at rest. `first_drives` applies if gear a drives, and
+/// `second_drives` applies if gear b drives.
 struct MeshEfficiency {
   double first_drives, second_drives;
 };

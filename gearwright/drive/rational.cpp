@@ -16,8 +16,8 @@ constexpr Wide kMost = 2 * ((Wide{1} << (8 * sizeof(Wide) - 2)) - 1) + 1;  ///< 
 
 Wide magnitude(Wide n) { return n < 0 ? -n : n; }
 
-/// True if both numbers have at most 31 bits, as almost all numbers of a drive have. Such numbers
-/// are divided as int, because a division of wide numbers is a function call.
+/// True if both numbers have at most 31 bits. This applies to almost all numbers of a drive. Such
+/// numbers are divided as int, because a division of wide numbers is a function call.
 bool are_short(Wide a, Wide b) {
   constexpr int kMostShort = std::numeric_limits<int>::max();
   return magnitude(a) <= kMostShort && magnitude(b) <= kMostShort;
@@ -136,7 +136,8 @@ std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns) 
     while (pivot < rows.size() && rows[pivot][column].zero()) ++pivot;
     if (pivot == rows.size()) continue;
     std::swap(rows[top], rows[pivot]);
-    // Most entries of the rows of a drive are 0 and stay 0, unless a fraction has overflow.
+    // Most entries of the rows of a drive are 0. They stay 0 unless a fraction has overflowed, and
+    // are therefore skipped.
     const Rational lead = rows[top][column];
     for (Rational& x : rows[top])
       if (!(x.zero() && lead.fits())) x = x / lead;
@@ -163,7 +164,7 @@ std::optional<std::size_t> rank_of(RationalMatrix rows) {
 
 RationalMatrix left_kernel(const RationalMatrix& rows) {
   if (rows.empty()) return {};
-  // Reduces [A | I]. If the A part of a row becomes 0, the I part of this row is a y with y·A = 0.
+  // Reduces [A | I]. If the part of a row in A becomes 0, its part in I is a y with y·A = 0.
   const std::size_t columns = rows.front().size();
   RationalMatrix both = rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

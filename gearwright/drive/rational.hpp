@@ -1,12 +1,12 @@
 // Exact fractions of whole numbers. After an overflow, a fraction is in a separate state, so the
 // result is never a wrong number.
 //
-//   p/q in lowest terms, q > 0; q = 0 after an overflow, if a result does not fit into 127 bits, or
-//   into 63 bits if the compiler has no wider integers
+//   p/q in lowest terms, q > 0; q = 0 after an overflow
 //                                              theory: docs/theory/13-drives.md, [T13.3]
 //
-// Like NaN, an overflow affects every fraction computed from the overflowed one. The caller
-// therefore checks only the last result.
+// An overflow occurs if a result does not fit into 127 bits, or into 63 bits if the compiler has no
+// wider integers. Like NaN, an overflow affects every fraction that is computed from the overflowed
+// one. The caller therefore checks only the last result.
 #pragma once
 
 #include <optional>
@@ -49,7 +49,7 @@ class Rational {
   /// Returns the quotient a/b.   Domain  b ≠ 0 (contract)
   friend Rational operator/(const Rational& a, const Rational& b);
   Rational operator-() const { return {-p_, q_}; }
-  /// True if the fractions are equal.   Domain  neither has overflow (contract)
+  /// True if the fractions are equal.   Domain  neither has overflowed (contract)
   friend bool operator==(const Rational& a, const Rational& b);
 
  private:
@@ -60,7 +60,7 @@ class Rational {
 };
 
 /// Returns the least common multiple of two whole numbers > 0. The result is an overflow if one of
-/// the numbers has an overflow or if the multiple does not fit.
+/// the numbers has overflowed or if the multiple does not fit.
 Rational least_common_multiple(const Rational& a, const Rational& b);
 
 /// A matrix as a list of rows of equal length.
@@ -70,7 +70,7 @@ using RationalMatrix = std::vector<std::vector<Rational>>;
 /// the first `columns` columns can contain leading entries. The function returns the column of the
 /// leading entry for each row that has one.
 ///
-/// Formula   Gauss–Jordan elimination over the fractions: the rank is exact
+/// Formula   Gauss–Jordan elimination with exact fractions, so the rank is exact
 std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 
 /// Returns the rank of the matrix, or none after an overflow.

@@ -238,7 +238,8 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
   train.output = body[stage.output];
 }
 
-// A stage of two gears. It is a side of the polygon that the axes of a train form.
+// A stage of two gears. The line between its axes is a side of the polygon that the axes of a train
+// form.
 struct Side {
   std::size_t stage;  // counted from 1
   std::size_t mesh;

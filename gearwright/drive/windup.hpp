@@ -1,10 +1,10 @@
 // Computes the elastic rotation of the output of a drive under load, and the variation of this
 // rotation.
 //
-//   λ(τ)   contact lines of a mesh (pair/contact_lines.hpp), τ in periods of the mesh
-//   w_m    weight of a mesh, (2π λ_m/(T_o p_bt,m))²/(N b_m), with the tooth load λ_m of
-//          drive/power_flow.hpp
-//   Θ(t) = Σ_m w_m Σ_i ε_α/λ_m(t − t_m − γ_i)/N           rotation of the output [T13.32]
+//   λ_m(t) contact lines of mesh m (pair/contact_lines.hpp), t in periods of the mesh
+//   w_m    weight of a mesh, (2π λ_m/(T_o p_bt,m))²/(N b_m); here, λ_m without an argument is the
+//          tooth load of drive/power_flow.hpp
+//   Θ(t) = Σ_m w_m (1/N) Σ_i ε_α,m/λ_m(t − t_m − γ_i)     rotation of the output [T13.32]
 //                                              theory: docs/theory/13-drives.md, 13.7
 //
 // All teeth are perfect, and every mm of contact line has the same stiffness. The N planets of a

@@ -35,8 +35,7 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
 /// Returns true if all harmonics are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
 /// Draws the harmonics of the transmission error. There is no figure if all harmonics are rounding
-/// errors, or if there are none. There are none if contact is lost, because the curve is then not
-/// periodic.
+/// errors. If contact is lost, the curve is not periodic, so there are no harmonics and no figure.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
 /// Returns the gaps of a raster, mm, as a field for contours.
@@ -49,7 +48,7 @@ std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& fi
 std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
 /// Adds the values of a raster to a figure. The figure shows shaded steps between the levels, and
 /// the values themselves are stored in Figure::grid. If `above` is given, values at or below
-/// `above` are left out.
+/// `above` are not shaded.
 void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& levels,
              std::string words, std::string unit, std::optional<double> above = {});
 

@@ -87,11 +87,12 @@ struct FlankPlace {
 };
 FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
 
-/// Returns the contact ellipse on gear `which` (0, 1), seen along the direction of motion of the
-/// tooth, as a closed polygon of points (height, radius). The result is empty if the contact has no
-/// ellipse, or if the ellipse is unbounded.
+/// Returns the contact ellipse on gear `which` (0, 1) as a closed polygon of points (height,
+/// radius). The ellipse lies in the tangent plane at the contact point and is projected along the
+/// direction of motion of the tooth. The result is empty if the contact has no ellipse, or if the
+/// ellipse is unbounded.
 ///
-/// Units     mm, true size, projected from the tangent plane at the contact point
+/// Units     mm
 std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,
                                    std::size_t which);
 

@@ -23,8 +23,10 @@ struct ContourField {
 
 /// Returns closed loops, (column, row), around all points below `level`. The region is their
 /// interior by the even-odd rule. The last point of a loop does not repeat the first.
-/// Laws (1) the corners of a loop lie on raster edges, where the linear value equals the level,
-/// except next to infinite nodes and at the border of the raster (2) regions grow with the level
+///
+/// Laws      (1) the corners of a loop lie on raster edges, where the linear value equals the
+///           level, except next to infinite nodes and at the border of the raster
+///           (2) regions grow with the level
 /// Domain    2 × 2 nodes or more, no NaN (contract)
 std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double level);
 

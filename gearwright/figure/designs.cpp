@@ -14,15 +14,16 @@ namespace {
 
 constexpr double kFree =
     0.06;  // margin at each end of an axis, relative to the range of the values
-// If the greatest value is more than this many times the least value, the axis is logarithmic,
-// because a linear axis would crowd the dots at one end.
+// If all values are positive and the greatest is more than this many times the least, the axis is
+// logarithmic, because a linear axis would crowd the dots at one end.
 constexpr double kWideSpan = 15.0;
 // If the values of an axis differ by at most the relative difference kOneValue, they count as
 // one value, and the axis gets the relative margin kRoomOfOne around it.
 constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 
-// Returns the axis with its direction in words, and with a range that contains the values.
+// Returns the axis with a range that contains the values. For an objective, the unit is followed by
+// words that state which values are better.
 FigureAxis fitted(DesignAxis of, double lo, double hi) {
   FigureAxis axis = std::move(of.axis);
   if (of.better != Better::none)

@@ -31,9 +31,9 @@ struct DesignDot {
 ///           (2) along the staircase, one value becomes worse as the other becomes better
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
-/// Draws the dots in their order. If both axes are objectives and the front has several dots, the
-/// staircase of the dots of the front is drawn below them. The axis of an objective states which
-/// values are better. The axes extend a little beyond the dots. An axis of positive values is
+/// Draws the dots in the given order. If both axes are objectives and the front has several dots,
+/// the staircase of the dots of the front is drawn behind them. The axis of an objective states
+/// which values are better. The axes extend a little beyond the dots. An axis of positive values is
 /// logarithmic if the greatest value exceeds fifteen times the least.
 ///
 /// Domain    at least one dot, all of them finite (contract)

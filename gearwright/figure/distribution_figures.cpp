@@ -109,7 +109,7 @@ Figure cumulative_figure(const DistributionScene& scene) {
       .id = scene.id + "-below",
       .title = "Cumulative distribution: " + scene.words,
       .description = "The curve shows the share of the samples below each value, from 0 to 100 %.",
-      .caption = ". For each value, the curve shows the share of the pairs below this value.",
+      .caption = ". For each value, the curve shows the share of the samples below this value.",
       .x = value_axis(scene),
       .y = {"share of the samples below", "%"}};
   for (const int share : {0, 20, 40, 60, 80, 100})

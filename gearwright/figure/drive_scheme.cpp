@@ -128,7 +128,8 @@ class Scheme {
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) radii_.push_back(working_radius(g));
   }
 
-  // Returns the radius of the working pitch circle of a gear in its first mesh.
+  // Returns the radius of the working pitch circle of a gear in its first mesh. If the gear has no
+  // mesh, returns its own radius.
   double working_radius(std::size_t g) const {
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
       const auto& gears = graph_.meshes[m].gears;

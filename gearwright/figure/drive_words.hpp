@@ -9,10 +9,10 @@
 
 namespace gearwright {
 
-/// Returns the name of a body and its part in the drive ("in", "out" or "held"), followed by its
-/// speed and its torque. A held body has no speed. For a rack, its speed in m/s (or in pitches per
-/// turn of the input, if the speed is unknown) and its force follow. Each line is one text of SVG
-/// markup.
+/// Returns the lines of words for a body, each as one text of SVG markup. The first line is the
+/// name of the body and its part in the drive ("in", "out" or "held"). The next lines are the speed
+/// and the torque or, for a rack, the speed and the force. A held body has no speed. If the speed
+/// or the torque of the input is not given, the value is relative to the input.
 std::vector<std::string> end_words(const Drive& drive, std::size_t body);
 
 }  // namespace gearwright

@@ -82,7 +82,7 @@ struct FigureMark {
   bool border = false;
   double turned = 0.0;     ///< rotation of a shape, degrees counter-clockwise
   double per_pitch = 0.0;  ///< rotation of a shape, degrees clockwise, per pitch of gear 1
-  int gear = -1;           ///< 0, 1: gear of the mark; also places the label of a circle
+  int gear = -1;           ///< 0 or 1, −1 for none; determines the label positions of a circle
   bool head = false;       ///< true for a line with an arrowhead at its end
   int group = -1;          ///< index of the group with which the mark turns; −1 for none
   std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
@@ -193,9 +193,9 @@ Figure plane_figure(std::string id, std::string title, std::string description,
 /// Joins loops to the points of one area, with kNewPiece between them.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Fits the axes to every finite point of the named curves. The y axis gets a margin of `share`
-/// times its length above and below, and begins at 0 if `from_zero`. Returns false if no curve
-/// extends along x.
+/// Fits the axes to all lines that have words. The y axis gets a margin of `share` times its length
+/// above and below. If `from_zero` is true, the y axis begins at 0 and has a margin only above.
+/// Returns false and changes nothing if no such line extends along x.
 bool fit_axes(Figure& figure, double share = 0.06, bool from_zero = false);
 
 }  // namespace gearwright

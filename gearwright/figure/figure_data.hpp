@@ -8,10 +8,11 @@
 namespace gearwright {
 
 /// Returns {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name",
-/// "points": [[x, y], …]}]}. Each named line is a curve, and all bars together are one more curve.
-/// The point [null, null] marks a break of a line. Circles and named dots, if there are any, are in
-/// "circles" and "points". The values of a map are in "grid": {"words", "unit", "x": […], "y": […],
-/// "values": [[…], …]}. "values" has one row for each y, and null for a point without a value.
+/// "points": [[x, y], …]}]}. Each line with words is a curve, and all bars with words together are
+/// one more curve. The point [null, null] marks a break of a line. Circles and named dots, if there
+/// are any, are in "circles" and "points". The values of a map are in "grid": {"words", "unit",
+/// "x": […], "y": […], "values": [[…], …]}. "values" has one row for each y, and null for a point
+/// without a value.
 nlohmann::ordered_json figure_data(const Figure& figure);
 
 }  // namespace gearwright

@@ -125,7 +125,7 @@ struct Layout {
     for (const AxisName& n : up) before = std::max(before, width_of(n.markup));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
-    // The note gets a line of its own if it does not fit next to the words.
+    // The note gets a line of its own if it does not fit next to the name of the y axis.
     note = width_of(words_of(f.y)) + width_of(f.note) > width - 4 * kEdge ? 38.0 : 20.0;
     top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));

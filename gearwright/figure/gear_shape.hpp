@@ -34,9 +34,9 @@ std::string outline_path(const std::vector<Vec2>& points, double unit_mm);
 std::string tooth_path(const Gear& gear);
 
 /// Returns the definitions of the shapes "NAME-tooth" and "NAME". "NAME" is the body of the gear
-/// with its teeth. For an internal gear, the body is a rim. It extends to the bore if that is given
-/// and larger than the roots, else it has the width kRim. The result is empty if the gear has no
-/// outline.
+/// with its teeth. For an internal gear, the body is a rim. If a bore is given and is larger than
+/// the root circle, the rim extends to the bore. Otherwise, the rim has the width kRim. The result
+/// is empty if the gear has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
 bool has_outline(const Gear& gear);

@@ -10,12 +10,15 @@
 
 namespace gearwright {
 
-/// Draw the transmission error, the load shares and the stiffness over the rotation. There is no
-/// figure if no position has a value.
+/// Draw the transmission error over the rotation of gear 1, and the load share of one tooth pair
+/// during its mesh. There is no figure if no position has a value.
 std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
-/// Draws the load shares of all tooth pairs at the shown torque over two pitches, in their colours.
+/// Draws the load shares of all tooth pairs at the shown torque over two pitches, in the colours of
+/// pair_style().
 std::optional<Figure> pair_share_figure(const LoadScene& scene);
+/// Draw the stiffness and the greatest root stress over the rotation of gear 1. There is no figure
+/// if no position has a value.
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
 /// A curve of the transmission error, ″, over the rotation of gear 1, °. The points are evenly
@@ -36,16 +39,16 @@ std::optional<Figure> harris_figure(const LoadScene& scene);
 /// contact. Pressures are interpolated linearly between positions and between slices.
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 
-/// Draws the greatest pressure at each point of a flank during a mesh. For each position of the
-/// slider, the figure shows the loaded contact lines. The second function draws the pressure along
-/// the face.
+/// The first function draws the greatest pressure at each point of a flank during a mesh. For each
+/// position of the slider, its figure also shows the loaded contact lines. The second function
+/// draws the pressure along the face.
 ///
 /// Domain    teeth that touch along lines (contract)
 Figure pressure_figure(const LoadScene& scene, std::size_t which);
 Figure pressure_along_figure(const LoadScene& scene);
 
-/// Draws the contact ellipses of a tooth with point contact during its mesh, on the flank of gear
-/// `which`. The second function draws the pressure in these ellipses.
+/// The first function draws the contact ellipses of a tooth with point contact during its mesh, on
+/// the flank of gear `which`. The second function draws the pressure in these ellipses.
 ///
 /// Domain    teeth that touch at points, at least one position in contact (contract)
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);

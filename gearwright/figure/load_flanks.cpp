@@ -39,8 +39,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// Returns the greatest pressure at a radius. If a mating edge passes the radius both outwards and
-// inwards, the greater of both pressures is used.
+// Returns the greatest pressure at a radius. The contact can pass this radius several times, for
+// example outwards and inwards if a mating edge is in contact.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {

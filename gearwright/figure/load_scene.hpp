@@ -17,7 +17,7 @@ namespace gearwright {
 
 struct LoadScene {
   std::array<const Gear*, 2> gears{};
-  const ParallelPair* pair = nullptr;  ///< turns with the slider; null if teeth touch at points
+  const ParallelPair* pair = nullptr;  ///< the pair that turns; null if teeth touch at points
   bool gear2_drives = false;
   LoadedContact contact;               ///< positions evenly spaced over one pitch, from −½ pitch
   std::vector<LoadStandard> standard;  ///< results of the standard at each torque; may be empty

@@ -108,7 +108,7 @@ void add_path(Figure& f, const InvolutePair& pair) {
   }
 }
 
-// Draws an arrow above the axis that shows the direction of rotation.
+// Draws an arrow above the axis. The arrow shows the direction of rotation.
 void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int gear) {
   constexpr double kHalf = 0.55;  // rad, half the angle of the arrow
   std::vector<Vec2> arc;

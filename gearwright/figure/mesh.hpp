@@ -75,10 +75,11 @@ void add_circles(Figure& figure, const MeshScene& scene, bool named);
 /// position in which the leading flanks touch at C, counter-clockwise seen from +z. Each rotation
 /// moves the flank's point on the working pitch circle onto the centre line.
 ///
-/// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2). The ψ_i = s_bti/d_bi − inv α_wt are the half
-///           angles of the teeth on the working pitch circles. For an internal gear 2, σ = −1 and
-///           ψ_2 = s_bt2/d_b2 + inv α_wt, otherwise σ = 1
-/// Units     rad        Domain  parallel axes
+/// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2). ψ_i is half of the angle of a tooth on the
+///           working pitch circle, ψ_i = s_bti/d_bi − inv α_wt. If gear 2 is internal, σ = −1 and
+///           ψ_2 = s_bt2/d_b2 + inv α_wt. Otherwise σ = 1
+/// Units     rad
+/// Domain    parallel axes
 std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
 /// Returns the angle, in degrees, by which gear `i` (0, 1) turns while gear 1 turns clockwise by

@@ -92,7 +92,8 @@ void add_lanes(Figure& figure, const std::vector<ContactPoint>& points) {
   }
 }
 
-// Returns the intersection of the linear extensions of two curves between two positions.
+// Returns the intersection of the linear extensions of two curves between the positions b and c. If
+// there is no intersection between them, returns the middle of b and c.
 Vec2 crossing(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Vec2 middle = 0.5 * (b + c);
   const double slope_1 = (b - a).y() / (b - a).x();

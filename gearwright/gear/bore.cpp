@@ -14,7 +14,7 @@ namespace {
 constexpr int kDecimals = 3;  // of a printed diameter, mm
 
 // Returns the error of the rim of an internal gear, or none if the rim is valid. The rim diameter
-// must be given, the rim must extend to the radius `room`, mm, and it must not have a keyway.
+// must be given. The rim must extend at least to the radius `room`, mm, and must not have a keyway.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   const std::string need = fmt::format(
       "the bore of an internal gear is the outside diameter of its rim and must be at least {:.3f} "

@@ -89,9 +89,9 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Adds the warnings of an internal gear without a tooth. The addendum, the dedendum and the root
-// fillet radius of its rack have an effect. The root fillet radius is the tip rounding of a default
-// cutter.
+// Adds the warnings of an internal gear without a tooth. Of the values of its rack, only the
+// addendum, the dedendum and the root fillet radius have an effect. The root fillet radius becomes
+// the tip rounding of a default cutter.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||

@@ -144,8 +144,8 @@ std::optional<Error> check_limits(const CylindricalSpec& spec);
 /// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …).
 ///           Undercut, pointed and severed teeth are not errors but data and warnings
 Result<Gear> make_gear(const CylindricalSpec& spec);
-/// Returns the message of the warning `undercut`. `remedy` ends it, for example "a profile shift of
-/// at least 0.3044 avoids undercut."
+/// Returns the message of the warning `undercut`. The message ends with `remedy`, for example "a
+/// profile shift of at least 0.3044 avoids undercut."
 ///
 /// Domain    the gear has a tooth (contract)
 std::string undercut_message(const Gear& gear, std::string_view remedy);

@@ -8,7 +8,8 @@
 
 namespace gearwright::leaf {
 
-/// Returns the lesser value, or the second argument if either is NaN, as in vector instructions.
+/// min_of() returns the lesser value and max_of() the greater value. If either value is NaN, both
+/// functions return the second argument, as vector instructions do.
 template <class T>
 T min_of(const T& a, const T& b) {
   return a < b ? a : b;

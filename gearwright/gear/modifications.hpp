@@ -125,7 +125,7 @@ struct FlankExtent {
   double face_width;     ///< b  mm
 };
 
-/// Material removed at a point of the flank, and its derivatives by u and z.
+/// Material removed at a point of the flank, and its derivatives with respect to u and z.
 struct Removal {
   double c = 0.0;                             ///< mm
   double c_u = 0.0, c_z = 0.0;                ///< mm, 1
@@ -193,7 +193,8 @@ class RemovalField {
   /// Returns the waves along the profile and along the face.
   const std::array<FormWave, 2>& waves() const { return waves_; }
   bool wavy() const { return waves_[0].waves > 0 || waves_[1].waves > 0; }
-  /// The removal of one wave at the position x, which is L or z, and its derivatives by x.
+  /// The removal of one wave at the position x, which is L or z, and its derivatives with respect
+  /// to x.
   struct WaveJet {
     double c, d1, d2;  ///< mm, 1, 1/mm
   };
@@ -209,7 +210,7 @@ class RemovalField {
 
  private:
   struct Roll {
-    double value, d1, d2;  // L and its derivatives by u
+    double value, d1, d2;  // L and its derivatives with respect to u
   };
   struct Ramp {  // a relief as a function of L or |z|: 0 at `from`, and its amount at `to`
     double from = 0.0, to = 0.0;

@@ -20,8 +20,8 @@ struct PinionCutSpec {
                                           ///< allowance
 };
 
-/// Returns the reason why the cutter cannot cut a gear with this number of teeth at any distance,
-/// or none if such a distance exists.
+/// Returns the reason why the cutter cannot cut a gear with this number of teeth at any distance.
+/// Returns none if such a distance exists.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 
 /// Returns E_sn/(2 m_n tan α_n), the part of x_E that a thickness allowance E_sn, mm, causes.
@@ -49,7 +49,7 @@ struct InfeedCut {
 /// Returns the trimming in radial infeed, where the rolling cutter approaches the generating
 /// distance from the axis of the gear.
 ///
-/// Formula   [T6.18], over all points of the cutter above its root fillet
+/// Formula   [T6.18], greatest value over all points of the cutter above its root fillet
 /// Domain    both teeth have an outline, the ring is internal (contract)
 /// None      if the ring has no flank, or if no point of the cutter has a limiting position before
 ///           the cutter reaches E

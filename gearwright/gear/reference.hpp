@@ -7,8 +7,8 @@
 //   x, x_E    profile shift and generating profile shift, which includes the allowance E_sn
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// The functions are templates over the scalar, which is double in production and has 50 digits in
-// the accuracy ledger.
+// The functions are templates over the scalar. The program uses double, and the accuracy ledger
+// uses 50 digits.
 #pragma once
 
 #include <cmath>

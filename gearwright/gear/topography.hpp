@@ -10,7 +10,7 @@
 // them.
 //
 //   Laws  (1) the surface passes through the points of the grid
-//         (2) cubics in d and in z are reproduced
+//         (2) with four or more points along a side, polynomials of third degree are reproduced
 //         (3) the order of the directions d and z in the computation does not change the surface
 #pragma once
 

@@ -80,8 +80,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
   const double eta = std::numbers::pi / teeth - flank.base_half_angle();
   const double most = std::min(tip_roll, kHalfPi - eta);
-  // At the least roll angle, the rack cuts both flanks of the tooth space, so the space is not
-  // closed.
+  // At the least roll angle, the rack cuts both flanks of the tooth space, so there is a space
+  // between these flanks.
   const double least = std::max(0.0, ruler.roll(l_zero));
   const char* const field = "root_fillet.offset";
   if (!(least < most)) {

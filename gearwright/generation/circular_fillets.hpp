@@ -68,7 +68,8 @@ struct FilletArc {
 };
 
 /// Returns the root fillet that touches the flank at ξ_C and is centred in the space. The result is
-/// empty if the normal of the flank does not meet the centre line of the space outside the tooth.
+/// empty if no such circle lies in the space, because the normal of the flank does not meet the
+/// centre line of the space there.
 ///
 /// Formula   r_r = r_b (tan u − ξ), D = r_b/cos u, σ = π/2 − u, end D − r_r; [T6.2]
 /// Domain    ξ_C ≥ 0, teeth ≥ 1 (contract)

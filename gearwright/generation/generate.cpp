@@ -120,7 +120,8 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
     return Error{fillets.root ? "root_fillet" : "tip_fillet", "",
                  "the rack leaves no involute that the fillet could touch"};
   }
-  // The tip is treated first, because removing arcs at the front changes the index of the flank.
+  // The tip is treated first, because removing branches at the front changes the position of the
+  // flank.
   if (fillets.tip) {
     branches.erase(flank + 1, branches.end());
     if (fillets.root) branches.back().t_lo = std::max(branches.back().t_lo, fillets.root->roll);

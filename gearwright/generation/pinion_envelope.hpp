@@ -47,8 +47,8 @@ struct PinionMotion {
   }
 };
 
-/// The direction in which the parameter of a cutter's curve grows. It is `forward` from root to tip
-/// of the cutter.
+/// The direction in which the parameter of a cutter's curve grows. `forward` means from the root of
+/// the cutter to its tip.
 enum class Walk { forward, backward };
 
 /// The normal at a point of the cutter meets the centrode of the cutter twice, so the point cuts in

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSizeStep = 1e-4;  // mm, accuracy of the limits of the size of a ball in messages
+constexpr double kSizeStep = 1e-4;  // mm, accuracy of the ball sizes given in messages
 
 struct Base {
   double d_b, cos_b, tan_b;

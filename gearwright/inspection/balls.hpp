@@ -49,7 +49,8 @@ struct PinReading {
 };
 
 /// Returns the ball or pin in a space of the gear, if it touches both flanks and can be measured. A
-/// ball whose contacts lie below the usable flank is also returned, but is not usable().
+/// ball whose contacts lie below the usable flank or on the tip rounding is also returned, but is
+/// not usable().
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
 /// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
@@ -76,7 +77,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat);
 ///
 /// Formula   α_Kt + tan² β_b tan α_Kt = ξ_M/cos² β_b + σ η_b; [T10.11]
 /// Domain    contact_diameter ≥ d_b (contract)
-/// None      if the flanks of a space meet before this diameter
+/// None      if the spaces have no width at this diameter, or if no ball touches both flanks there
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
 /// Returns the transverse base tooth thickness, mm, for the dimension M_d over two balls. [T10.12]
 ///
@@ -90,8 +91,8 @@ struct BallSizes {
                   ///< nearest size
   double inch;    ///< inch, a ball size in steps of 1/64, 1/32 or 1/16 inch
 };
-/// Returns the ball sizes of a gear. Returns none if no ball touches the usable flank, or if |z| <
-/// 2.
+/// Returns the ball sizes of a gear. Returns none if no ball touches the usable flank, or if the
+/// gear has fewer than two teeth.
 std::optional<BallSizes> ball_sizes(const Gear& gear);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// Flank tolerances by ISO 1328: the permitted deviations of the teeth for each grade.
+// Flank tolerances to ISO 1328: the permitted deviations of the teeth for each grade.
 //
 //   A           flank tolerance class (grade)
 //   d, m_n, b   reference diameter, normal module and face width, mm
@@ -29,7 +29,7 @@ struct ToleranceSubject {
   std::optional<double> contact_ratio{};  ///< ε_γ  of the mounted pair; none without a pair
 };
 
-/// All values are in µm, rounded by the rules of the standard.
+/// All values are in µm. All except f_pb, f_Σβ and f_Σδ are rounded to the rules of the standard.
 struct FlankToleranceValues {
   double single_pitch;                           ///< f_ptT
   double cumulative_pitch;                       ///< F_pT, total
@@ -42,7 +42,7 @@ struct FlankToleranceValues {
   double runout;                                 ///< F_rT
   std::optional<double> radial_composite;        ///< F_i″, total, ISO 1328-2:1997
   std::optional<double> tooth_radial_composite;  ///< f_i″, tooth to tooth
-  std::optional<double> base_pitch{};            ///< f_pb, ±; not rounded
+  std::optional<double> base_pitch{};            ///< f_pb, ±
   std::optional<double> sector_pitch{};        ///< F_pk over k = ⌊|z|/8⌋ pitches; none if k < 2
   std::optional<double> single_flank{};        ///< F_i′, total composite with the mating gear
   std::optional<double> tooth_single_flank{};  ///< f_i′, tooth to tooth
@@ -65,7 +65,7 @@ std::string beyond_range(FlankTolerances edition, const ToleranceSubject& gear);
 /// Returns all tolerances except the tolerances of the axes.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb and,
-///           in the edition of 1995, F_pk, F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32];
+///           in the edition of 1995, F_pk, F_i′ and f_i′ to ISO 1328-1:1995, [T10.31], [T10.32];
 ///           F_pk in the edition of 2013, [T10.37]
 /// Units     mm in, µm out
 /// Domain    has_class (contract). Radial composite tolerances are absent if the diameter is

@@ -232,7 +232,8 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
   return list;
 }
 
-// Finds the reading that contradicts all others. The other readings agree with a standard gear.
+// Finds the reading that contradicts all others. The other readings agree with a standard gear, and
+// `found` then contains the hypotheses that they support.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

@@ -149,8 +149,8 @@ struct Identification {
   std::optional<Alternative> alternative{};    ///< present if the correction of one input gives a
                                                ///< gear that agrees, and if the first candidate
                                                ///< disagrees with the readings, is nonstandard or
-                                               ///< is implausible, or has |x_E| > 1 although the
-                                               ///< corrected gear has not
+                                               ///< is implausible, or has |x_E| > 1 while the
+                                               ///< corrected gear has |x_E| ≤ 1
 };
 inline constexpr int kMostCandidates = 8;
 /// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size

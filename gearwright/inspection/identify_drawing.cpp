@@ -160,7 +160,8 @@ class Drawing {
            std::hypot(kRootScatterOfRack, std::hypot(reading, u_) / kSigmas);
   }
 
-  // True if the allowance that belongs to the profile shift x lies between −`most` modules and 0.
+  // True if the allowance that belongs to the profile shift x is at least −`most` modules and is
+  // positive only within the uncertainty of x_E.
   bool leaves(double x, double most) const {
     return x_E_ - x <= u_ && 2 * tan_ * (x_E_ - x) >= -most;
   }

@@ -8,8 +8,8 @@
 //
 // The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a
 // length along this tangent. The gauge can be moved along both flanks without a change of the
-// reading. The results apply to the symmetrical position. If both contacts lie on the usable flanks
-// in any position, they also lie on the usable flanks in the symmetrical position.
+// reading. The results apply to the symmetrical position. If both contacts can lie on the usable
+// flanks in some position, they also do so in the symmetrical position.
 #pragma once
 
 #include <vector>

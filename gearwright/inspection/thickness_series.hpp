@@ -36,7 +36,7 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance);
 Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size);
 
 /// Returns the lower and the upper deviation of the tip diameter, mm. `side` is σ of the gear. The
-/// tip of an external gear has the deviations of a shaft, whose sign is opposite to those of a
+/// tip of an external gear has the deviations of a shaft, whose signs are opposite to those of a
 /// hole. The tip of an internal gear has the deviations of a hole.
 ///
 /// Errors    `tolerance.tip_fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not

@@ -29,8 +29,8 @@ struct CampaignOptions {
                                   ///< chunk shard − 1
   bool many = false;              ///< true if another shard or rank may have opened the folder
                                   ///< already
-  bool together = false;          ///< true for a rank; the first rank opens the folder for all
-                                  ///< ranks
+  bool together = false;          ///< true if this process is one of several ranks; the first rank
+                                  ///< opens the folder for all of them
   std::string writer = "search";  ///< name of this process in the journal
   /// Returns the number of the next chunk in a queue that several processes share. If this function
   /// is not set, the process has its own queue. Only one thread at a time calls the function.

@@ -22,7 +22,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kPositions = kLeastSpanPositions;
-// Under load, the curve of the transmission error takes about a hundred times as long to compute as
+// Under load, computing the curve of the transmission error takes about a hundred times as long as
 // without load. The search for corrections of loaded teeth therefore uses fewer positions and fewer
 // curves.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
@@ -42,7 +42,8 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
   return errors;
 }
 
-// Returns the scenario with the values `value` of the errors `ranged`, in the units of their keys.
+// Returns the scenario in which the errors with the indices `ranged` have the values `value`, in
+// the units of their keys. All other errors are those of the spec.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
   NamedErrors s{"", setup.place().errors};
@@ -61,7 +62,8 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   return ranged;
 }
 
-// Returns the scenario of the errors in the spec, and then one for every corner of the range.
+// Returns a list of scenarios. The first has the errors of the spec. One scenario for each corner
+// of the range follows.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);
@@ -76,7 +78,8 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
 }
 
 // Returns errors within the ranges of [compensate.range], in the units of their keys, for which the
-// transmission error of the pair exceeds `known`. Returns none if the search finds no such errors.
+// peak-to-peak transmission error of the pair exceeds `known`. Returns none if the search finds no
+// such errors.
 std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const ContactSetup& setup,
                                                                    const JobSpec& spec, Angle known,
                                                                    Progress* progress) {
@@ -103,9 +106,9 @@ std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const Contact
 }
 
 // Computes the corrections for the scenarios. Without load, the function also searches the ranges
-// for errors under which the corrected pair has a greater transmission error than in every
-// scenario. If it finds such errors, they become a further scenario, and the corrections are
-// computed again. This happens at most kMostInside times.
+// for errors with which the corrected pair has a greater transmission error than in every scenario.
+// If it finds such errors, they become a further scenario, and the corrections are computed again.
+// At most kMostInside scenarios are added in this way.
 Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
                          const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
                          std::vector<NamedErrors>& scenarios) {
@@ -179,8 +182,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Only the warnings about the load and about the range of errors are kept. The warnings about the
-  // range still apply, because the range includes the errors of the spec.
+  // Of the warnings of the job, only those about lost contact and about missing results under load
+  // are added. They apply to the scenarios, which answer_contact() does not analyse.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -192,8 +195,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
-// Adds the closed forms for circular-arc teeth to the answer. Returns the value of each correction
-// with which the search starts. If a correction has no closed form, its value is 0.
+// Adds the closed forms for circular-arc teeth to the answer. Returns the values of the corrections
+// with which the search starts. If a correction has no closed form, its start value is 0.
 std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup,
                                  const std::vector<WorkshopCorrection>& corrections,
                                  CompensateAnswer& answer) {
@@ -310,7 +313,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
 
 namespace {
 
-// Pressures in MPa count as equal if they differ by less than this value. It is about one
+// Two pressures count as equal if they differ by less than this value, MPa. It is about one
 // ten-thousandth of a usual flank pressure.
 constexpr double kSamePressure = 0.1;
 
@@ -327,7 +330,7 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
-  request.progress = nullptr;        // null, because the progress counts trials
+  request.progress = nullptr;        // the progress counts trials, not the steps of an analysis
   std::vector<Warning> of_the_pair;  // warnings about the uncorrected pair; they are not reported
   if (auto error = judge_load(held.task, held.task.contact(held.compliance), of_the_pair))
     return *error;

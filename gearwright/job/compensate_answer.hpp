@@ -26,7 +26,7 @@ struct CompensateAnswer : CompensateView {
   Verdict verdict;  ///< of the corrected pair under the errors of the spec
 };
 
-/// Errors    the inputs that [compensate] requires and that are absent; the errors of setup_of;
+/// Errors    an input that [compensate] requires but that is absent; the errors of setup_of;
 ///           `errors` or `pair.center_distance` if no teeth of the uncorrected pair touch;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
 ///           `compensate.range` if no teeth touch at a corner of the range, even with the computed
@@ -59,8 +59,8 @@ class LoadedAim {
   /// pressure in MPa, under the torque for which it is greatest. If `corrections` modify a gear,
   /// this gear must have a field of removed material.
   CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
-  /// Returns the score for each torque with this number of positions per pitch. See loaded_scores()
-  /// for the cases in which a score is NaN.
+  /// Returns the score for each torque. `positions` is the number of positions per pitch. See
+  /// loaded_scores() for the cases in which a score is NaN.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;
   int positions() const { return held_->task.request.positions; }
   const std::vector<double>& torques() const { return held_->task.request.torques; }  ///< N mm

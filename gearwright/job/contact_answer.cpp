@@ -86,8 +86,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "cut by a pinion cutter or for circular fillets."});
     return;
   }
-  // Equally spaced positions are examined only in the first pitch, because the phases of contact
-  // repeat in every pitch.
+  // If the positions are equally spaced, only those of the first pitch are examined, because the
+  // contact repeats in every pitch.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;
@@ -127,8 +127,8 @@ auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
                     analyse_contact(mesh(!gear2_drives), other)};
 }
 
-// Judges the contact of the pair in `setup`, and adds the map and the pattern that `input`
-// requests.
+// Returns the answer for the pair in `setup`. `found` is the contact of its working and of its
+// non-working flanks. The map and the pattern are computed if `input` requests them.
 Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
                                 std::array<ContactResult, 2> found, const ContactInput& input,
                                 std::vector<Warning>& warnings, Progress* progress) {

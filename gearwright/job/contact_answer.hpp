@@ -21,20 +21,22 @@ ContactErrors errors_of(const SolvedJob& job);
 /// Errors    `gear1.double_helical` for double-helical gears; the errors of ContactSetup::of
 Result<ContactSetup> setup_of(const SolvedJob& job);
 
-/// Returns `errors`, with the error `index` of error_entries() set to a value in its own unit.
+/// Returns a copy of `errors` in which the error in row `index` of error_entries() has the value
+/// `value`, in the unit of its key.
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// The influence of one number of the spec, with its key in results and the unit of this key.
+/// The influence of one number of the spec, with the key of its derivative in results and the unit
+/// in this key.
 struct NamedInfluence {
   std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
   double unit = 1.0;  ///< one unit of the key, in rad or mm
   Influence influence;
 };
 
-/// Returns the influences of every error with a derivative (ErrorEntry::kind), and of every
-/// modification with a given position on the flank. Influences of modifications of a rack are not
-/// included.
+/// Returns the influences of all errors that have a derivative (ErrorEntry::kind). For each gear
+/// with modifications, the list also contains the influences of all modifications whose range on
+/// the flank is known. The errors and modifications of a rack's teeth are not included.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 struct ContactAnswer : ContactView {
@@ -42,7 +44,8 @@ struct ContactAnswer : ContactView {
   std::optional<ContactSetup> setup;
   ContactResult on_halves{};  ///< positions of both halves, on which the verdict is based
 
-  /// Returns the contact of the working flanks, in the form on which the verdict is based.
+  /// Returns the contact of the working flanks on which the verdict is based. For a double-helical
+  /// pair, this is `on_halves`.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
@@ -50,8 +53,8 @@ bool any_contact(const ContactResult& result);
 
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
-/// Errors    the errors of setup_of; `errors` if no teeth touch at any position, or
-///           `pair.center_distance` if the spec also has no errors
+/// Errors    the errors of setup_of; `errors` if no teeth touch at any position and the spec has
+///           errors; `pair.center_distance` if no teeth touch and the spec has no errors
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);

@@ -17,10 +17,10 @@ namespace gearwright {
 
 namespace {
 
-// Line contact is narrow across the tooth and long along the tooth, and the cells of this raster
-// have similar proportions. For modules of a few mm, the gap then changes by some hundredths of a
-// µm from node to node and from position to position. This makes the border of a pattern almost
-// smooth.
+// A line contact is narrow in the direction of the profile and long in the direction of the face
+// width. The cells of this raster have similar proportions. For modules of a few mm, the gap then
+// changes by some hundredths of a µm from node to node and from position to position. This makes
+// the border of a pattern almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
@@ -83,8 +83,8 @@ bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
 }
 
-// The errors under which a pattern of the report is computed. They are no error, one error, or all
-// errors.
+// The errors under which a pattern of the report is computed. There is a pattern without errors,
+// one for each single error, and one for all errors of the spec together.
 struct Under {
   std::string name;
   ContactErrors errors;

@@ -39,7 +39,8 @@ std::vector<FlankContact> flanks_of(const std::array<const Gear*, 2>& gears, con
                                     double marking,
                                     const std::array<const ContactResult*, 2>& results);
 
-/// A result and its part of the report. The report has pointers into the job.
+/// A result and its part of the report. The report contains pointers to data of the job, so the job
+/// must outlive it.
 struct ContactPart {
   ContactAnswer answer;
   ContactReport report;

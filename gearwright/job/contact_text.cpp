@@ -18,7 +18,7 @@ namespace gearwright {
 namespace {
 
 // Lists the kinds of contact with the fraction of positions that have each kind. If there is
-// contact at an edge, its explanation is added to `legend`.
+// contact at an edge, the explanation of this kind is added to `legend`.
 std::string kinds_of(const ContactResult& result, std::string& legend) {
   std::vector<std::pair<TouchKind, int>> count;
   for (const ContactPoint& p : result.positions) {
@@ -52,7 +52,7 @@ std::string over_face(const SolvedJob& job, double degrees) {
                      unit_text(units, Unit::um));
 }
 
-// Lists the transmission error and the movement of the whole gears, and the position of contact on
+// Lists the transmission error and the axial float of the whole gears, and the point of contact on
 // each half.
 TextTable halves_table(const ContactAnswer& answer, UnitSystem units) {
   const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
@@ -149,7 +149,8 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                       error_text(Angle::radians(greatest), 3), error_unit));
   }
   if (!answer.halves.empty()) return out + "\n" + table_listing(halves_table(answer, units));
-  // The rows are limited to one page. The option --json lists all positions.
+  // Of many positions, only equally spaced ones are listed, fewer than 64. The option --json lists
+  // all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   std::vector<std::string> names;
   records.clear();

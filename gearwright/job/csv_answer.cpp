@@ -31,8 +31,8 @@ const Value kNothing;
 using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // for each row, a record or null
 
-// Calls f(column, cells) for columns of a table. A column is included if the JSON result also has
-// it and if at least one row has a value.
+// Calls f(column, cells) for each column of a table that the JSON result also contains and that has
+// a value in at least one row.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {
@@ -55,9 +55,9 @@ void add_row(UnitSystem units, const QuantityInfo& info, const std::string& path
               csv_cell(second, own, info.unit)});
 }
 
-// Adds a quantity of one or two records. Plain values of two records, or two values of one record,
-// are side by side. A longer list of one record has a row for each value. Lists of records are
-// omitted, because only --json has them.
+// Adds a quantity of one or two records. Plain values of two records are side by side. The values
+// of one record are also side by side if there are two of them. A list with any other number of
+// values has a row for each value. Lists of records are omitted, because only --json contains them.
 void add_rows(UnitSystem units, const QuantityInfo& info, const std::string& path,
               const Cells& cells, std::string& out) {
   const ValueList* list = cells.front()->list();

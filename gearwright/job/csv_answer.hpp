@@ -1,5 +1,5 @@
-// Writes answers as tables for a spreadsheet (RFC 4180), in the units of the spec. The numbers have
-// so many digits that reading them gives exactly the doubles of the answer.
+// Writes answers as tables for a spreadsheet (RFC 4180), in the units of the spec. Each number has
+// enough digits to be read back as exactly the same double.
 #pragma once
 
 #include <optional>
@@ -21,10 +21,10 @@ namespace gearwright {
 /// value is a list, a record or a map, the cell is empty.
 std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit unit = Unit::none);
 /// Makes a table with a row for each quantity of the gears and, if they are mounted, of the pair
-/// and a rack. The columns are key, quantity, symbol, unit, first and second. The last two columns
-/// are gear 1 and gear 2, or the two ends of a range. If both gears share a value, it is in
-/// `first`. A longer list has a row for each value (key.1, key.2, …). Lists of records (contacts,
-/// overlaps) are omitted.
+/// and a rack. The columns are key, quantity, symbol, unit, first and second. The columns `first`
+/// and `second` contain the values of gear 1 and gear 2, or the two ends of a range. A value that
+/// both gears share is in `first`. A list of more than two values has a row for each value (key.1,
+/// key.2, …). Lists of records (contacts, overlaps) are omitted.
 std::string quantities_csv(const SolvedJob& job);
 /// Makes rows as in quantities_csv(), for the measurements of the gears.
 std::string measure_csv(const SolvedJob& job, const std::vector<GearMeasures>& measures);
@@ -35,13 +35,14 @@ std::string load_csv(const SolvedJob& job, const LoadAnalysis& answer);
 /// Makes a row for each proposal. The first row is the spec as given.
 std::string propose_csv(const SolvedJob& job, const ProposeView& view);
 /// Makes a row for each quantity, with the columns key, quantity, symbol, unit, first, second,
-/// formula and branch. `second` is the value of gear 2.
+/// formula and branch. `first` contains the value of gear 1 or of the pair, `second` the value of
+/// gear 2.
 std::string rating_csv(const SolvedJob& job, const RatingAnswer& answer);
 /// Makes a row for each point, with the columns arc, x_mm and y_mm.
 std::string outline_csv(const Outline& outline, int points, UnitSystem units);
 
-/// Returns the usable extent of the flank of an external or internal gear, to which modifications
-/// apply.
+/// Returns the extent of the usable flank of an external or internal gear. Modifications apply to
+/// this extent.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 
 /// Reads "9x5", the numbers of points along profile and face, each from 2 to 1000. Returns none for
@@ -58,10 +59,10 @@ std::optional<PointGrid> parse_grid(const std::string& text);
 Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
                                 const std::optional<int>& fillet_points = {});
 
-// The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
-
-/// A gear has one diagram if both flanks are equal, and two diagrams if they differ. It has no
-/// diagram if a modification does not fit its flank. The verb `contact` reports this modification.
+/// Returns the K-diagrams of all gears that have flank modifications or an accuracy grade, for the
+/// page. A gear has one diagram if its flanks are equal, and two diagrams if they differ. If a
+/// modification does not fit its flank, the gear has no diagram, and the verb `contact` returns an
+/// error for this modification.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

@@ -153,7 +153,8 @@ DataGroup teeth(const SolvedJob& job, int which, const Records& r) {
   return group;
 }
 
-// Adds a size with the limits of its fit. Without a fit, the cells of the limits are blank.
+// Adds a row for a size and a row for its limits. If there are no deviations, the row of the limits
+// is blank.
 void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
                const std::string& symbol, double size, const std::string& fit,
                const std::optional<std::array<double, 2>>& deviations) {
@@ -161,7 +162,7 @@ void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
   const auto inch = [&](double x) { return fixed_decimals(value_in(units, Unit::mm, x), 4); };
   const std::string text = mm ? with_minus(short_decimals(size, 4)) : inch(size);
   group.rows.push_back({what, symbol, fit.empty() ? text : text + " " + fit});
-  // A limit that is a multiple of half a µm needs a fourth decimal.
+  // A limit that is not a whole number of µm needs a fourth decimal.
   const auto limit = [&](double deviation) {
     if (!mm) return inch(size + deviation);
     const double um = 1e3 * (size + deviation);

@@ -1,6 +1,5 @@
-// Makes the answers for drives, which are those of the verb `drive`, of the rating and of the
-// search for drives. Also makes specs of found drives and of meshes. Internal to job/ and the
-// programs.
+// Makes the answers of the verb `drive`, of the rating of drives and of the search for drives. Also
+// makes the specs of found drives and of single meshes. Internal to job/ and the programs.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +14,8 @@
 
 namespace gearwright {
 
-/// Returns tables for users. They show the whole drive, the bodies, the meshes, the planets, the
-/// phases, and the stages of a train.
+/// Returns tables for users. They show the whole drive, the results under load, the bodies, the
+/// meshes, the forces, the profile shifts, and the planets of each set with their phases.
 std::string drive_listing(const Drive& drive, UnitSystem units);
 
 /// Returns the answer of the verb `drive`. If the spec has [load], the answer includes the drive
@@ -25,7 +24,7 @@ std::string drive_listing(const Drive& drive, UnitSystem units);
 /// Errors    the errors of solve_drive() and load_drive()
 Result<Answer> answer_drive(const JobSpec& spec, Progress* progress = nullptr);
 
-/// Returns the answer of the verb `drive`, with each mesh rated according to ISO 6336.
+/// Returns the answer of the verb `rate` for a drive. Each mesh is rated according to ISO 6336.
 ///
 /// Errors    the errors of solve_drive() and load_drive(); `rating.…` for the errors of
 ///           rate_meshes() and material_of()
@@ -78,7 +77,8 @@ struct MeshSpec {
 /// Domain    expanded = expanded_spec() of the drive (contract)
 MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh);
 
-/// Reads the tables of mesh_spec() without those that apply to other results than contact and load.
+/// Reads the tables of mesh_spec() without [rating], [scatter] and [drawing]. The contact and the
+/// load do not depend on these tables.
 ///
 /// Errors    the errors of read_spec_tree()
 Result<JobSpec> job_of_mesh(const Drive& drive, std::size_t mesh, Json tables);

@@ -108,7 +108,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
 
 namespace {
 
-// Sets K_γ of each mesh, if [rating] gives K_γ by mesh or as "computed".
+// Sets K_γ of each mesh if [rating] gives K_γ for single meshes or as "computed".
 std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, const Drive& drive,
                                             DriveLoad& load) {
   const DriveGraph& graph = drive.graph;
@@ -213,8 +213,8 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   // If K_γ changes by a small fraction, S_F changes by the same fraction and S_H by half of this
   // fraction. One hundredth is far less than the uncertainty of S_F and S_H.
   constexpr double kSameFactor = 0.01;
-  // Without a rating, there is a finding if a planet carries twice an equal share. If one of two
-  // planets carries the whole load, its K_γ is 2 except for rounding.
+  // Without a rating, there is a finding if a planet carries at least twice an equal share. If one
+  // of two planets carries the whole load, its K_γ is 2 except for rounding errors.
   constexpr double kUnequal = 2.0 - 1e-9;
   const bool rated = !drive.ratings.empty();
   const PlanetShares* worst = nullptr;

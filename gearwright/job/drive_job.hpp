@@ -34,7 +34,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec);
 /// Returns the [errors] of a spec for each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
-/// Returns the load for a rating, as [rating] or the drive gives it.
+/// Returns the load for a rating. The load is given in [rating] or results from the drive.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory, and for a mesh load factor
 ///           K_γ that cannot be computed or that names no mesh of several planets
@@ -51,22 +51,23 @@ std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 ///           name of the mesh in the rule; the errors of check_load() and loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
-/// Analyses the contact of each mesh with the verb `contact`, as the pair that --take prints.
+/// Analyses the contact of each mesh in the same way as the verb `contact` analyses the pair that
+/// --take prints.
 ///
-/// Law       Drive::analyses has the contact of the spec of mesh_spec(), bit by bit
+/// Law       Drive::analyses contains, bit for bit, the contact of the spec of mesh_spec()
 /// Errors    the errors of solve_mesh() and answer_contact(), with the name of the mesh in the rule,
 ///           unless the cause is that no teeth touch
 std::optional<Error> analyse_drive_contact(DriveJob& job, Progress* progress = nullptr);
 
-/// Results that not every caller needs. A result can also depend on a table of the spec: [rating],
-/// or [errors] and [contact].
+/// Determines whether an optional result is computed. With `if_given`, the rating is computed if
+/// the spec has [rating], and the contact if the spec has [errors] or [contact].
 enum class Wanted { no, if_given, yes };
 struct DriveParts {
   Wanted rating = Wanted::if_given, contact = Wanted::if_given;
 };
 
-/// Computes the drive of a spec with all other results, and the verdict on these results. If the
-/// spec has [load], the drive under load is also computed.
+/// Computes the drive of a spec, the optional results that `parts` selects, and the verdict on all
+/// results. If the spec has [load], the drive under load is also computed.
 ///
 /// Errors    the errors of solve_drive(), drive_rater(), load_drive() and analyse_drive_contact()
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts = {},

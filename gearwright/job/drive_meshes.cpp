@@ -1,8 +1,8 @@
 // The meshes of a drive as separate pairs: their specs, and the contact of each pair.
 //
-// A pair of the contact analysis has a gear 1 that turns clockwise. If gear 1 of a mesh turns
-// counter-clockwise, its spec describes the gears as seen from the other face: right and left flanks
-// are exchanged, and lengths and slopes along the axis have the opposite sign.
+// In the contact analysis, gear 1 of a pair turns clockwise. If gear 1 of a mesh turns
+// counter-clockwise, the spec of the mesh describes the gears as seen from the other face. Right
+// and left flanks are then exchanged, and lengths and slopes along the axis have the opposite sign.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,9 +95,9 @@ struct RatedLoad {
   std::array<FlankUse, 2> use;
 };
 
-// Returns the table [rating] for one mesh. The load is that of one copy of the mesh. The life is
-// that of the gear with more engagements. The bending counts as reversed if it is reversed for one
-// of the gears.
+// Returns the table [rating] for one mesh. The load is that of one copy of the mesh. life_h is
+// multiplied by the number of engagements per turn of the gear that has more of them. The bending
+// counts as reversed if it is reversed for at least one of the gears.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})
@@ -161,8 +161,9 @@ bool turn_over(Json& spec, bool halves) {
     std::swap(range[0], range[1]);
     for (Json& end : range) negate(end);
   }
-  // The half at z > 0 becomes the one that was at z < 0, which is its mirror image: the hand and the
-  // slopes along the axis, except those of modifications, have the opposite sign.
+  // Seen from the other face, the half at z > 0 is the one that was at z < 0, which has the
+  // opposite hand. Helix angles and the errors of the helix slope therefore change their sign. The
+  // slopes of modifications keep their sign.
   if (halves && (changed || spec.contains("errors"))) {
     for (const char* gear : {"gear1", "gear2"})
       if (spec[gear].contains("helix_angle_deg")) negate(spec[gear]["helix_angle_deg"]);
@@ -244,7 +245,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
     }
   }
-  if (spec["pair"].empty()) spec.erase("pair");  // `pair` may be invalid, as tables were added
+  // The reference `pair` may be dangling here, because tables were added to `spec` after it.
+  if (spec["pair"].empty()) spec.erase("pair");
   return {std::move(spec), std::move(notes)};
 }
 
@@ -266,8 +268,9 @@ Result<JobSpec> job_of_mesh(const Drive& drive, std::size_t mesh, Json tables) {
 
 namespace {
 
-// Returns the contact of a mesh. The result is none if no teeth touch, or if the gears cannot be
-// seen from the face from which gear 1 turns clockwise.
+// Returns the contact of a mesh. The result is none if no teeth touch. It is also none if gear 1
+// turns counter-clockwise and a flank has a topography, because mesh_spec() cannot describe a
+// topography as seen from the other face.
 Result<std::optional<ContactView>> contact_of_mesh(const DriveJob& job, const Json& expanded,
                                                    std::size_t mesh, Progress* progress) {
   using None = std::optional<ContactView>;

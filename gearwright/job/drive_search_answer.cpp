@@ -192,7 +192,7 @@ std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   return out;
 }
 
-// True if `search.material` is a table by member that contains this member.
+// True if `search.material` is a table of members that contains this member.
 bool has_own_material(const JobSpec& spec, SetMember member) {
   const Json& search = spec.tree->tables["search"];
   return search.contains("material") && search["material"].contains(to_string(member));
@@ -243,8 +243,8 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
       !shift.any())
     problem.sliding = kDrawnSliding;
   // Each stage of a rated train may have its own module if the spec permits several modules, or if
-  // the order by mass requires an estimate of the face widths. If the centre distance is limited,
-  // every choice of modules is a separate candidate instead.
+  // the drives are sorted by mass and the search chooses their face widths. If the centre distance
+  // is limited, every choice of modules is a separate candidate instead.
   problem.module_per_stage =
       problem.kind == DriveKind::train && rated && !problem.center_distance &&
       (problem.modules.size() > 1 ||

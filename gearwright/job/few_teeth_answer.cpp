@@ -89,14 +89,15 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// Rounds a value to nine decimals, as on a drawing. This removes the error of a conversion.
+// Rounds a value to nine decimals, as on a drawing. This removes the rounding errors of unit
+// conversions.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
 // Rounds the profile shift to nine decimals if this changes it by less than 1e-12. A shift that was
 // computed from a centre distance keeps all its digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
-// Rounds the tip diameter so that the tooth is not longer than computed.
+// Rounds the tip diameter to 0.1 µm in the direction of the shorter tooth.
 double tip_as_drawn(double d, double side) { return side * std::floor(side * d * 1e4) / 1e4; }
 
 Json pinion_json(const CylindricalSpec& c, const Json& given) {

@@ -121,9 +121,9 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// Returns an error if the spec requests results that are not available for these gears. A rack and
-// its pinion have only geometry, contact, a report and files. Double-helical gears have all of
-// these results except corrections.
+// Returns an error if the spec requests results that are not available for these gears. For a rack
+// and its pinion, load, rating, corrections and scatter are not available. For double-helical
+// gears, only corrections are not available.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair, rack = job.rack.has_value();
   if (!rack && !halves) return std::nullopt;
@@ -218,7 +218,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   };
   auto made = make(bodies);
   if (made) return made;
-  // Modified teeth may have too many faces for a file. In this case, the file has the teeth as cut.
+  // The modified flanks may need too many faces for a file. The file then contains the teeth as
+  // cut.
   std::vector<ToothedBody> as_cut = bodies;
   bool modified = false;
   const auto cut = [&](ToothedBody& gear) {

@@ -34,7 +34,7 @@ inline constexpr ToleranceRange kMeshTolerances{1e-5, 10.0}, kDrawingTolerances{
 
 struct FileOptions {
   OnFile on_file;                ///< called before each file; may be empty
-  Progress* progress = nullptr;  ///< reports the progress of contact and corrections
+  Progress* progress = nullptr;  ///< receives the progress of the computations; may be null
   StepSchema step_schema = StepSchema::ap242;
   double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
   double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs and workshop drawings
@@ -57,7 +57,8 @@ struct JobFile {
   std::string note;                    ///< "1208 triangles", "123 faces"
   std::string bytes;                   ///< the file
 
-  /// Returns the deviation as it is printed, µm. A deviation below 0.001 µm is a rounding error.
+  /// Returns the deviation as it is printed, µm. The result is at least 0.001 µm, because a smaller
+  /// deviation is only a rounding error.
   double printed_deviation_um() const { return std::max(0.001, *deviation_mm * kUmPerMm); }
 };
 
@@ -78,13 +79,13 @@ SolidPose pose_of(const SolvedJob& job, int which);
 Result<ToothedBody> make_body(const SolvedJob& job, int which);
 
 /// Converts an error of cad/ about a body to an error about the gear. If the error is about teeth,
-/// bore or keyway, its member is kept. If it is about a tolerance or a number of faces, which a
-/// spec does not contain, the new error names the whole gear.
+/// bore or keyway, its member is kept. Any other error concerns a value that is not in the spec,
+/// for example a tolerance or a number of faces. The new error then names the whole gear.
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory. All errors therefore occur before anything is
-/// written. If the file cannot be made with the modified flanks, it has the teeth as cut, and its
-/// note gives the reason.
+/// written. If the file cannot be made with the modified flanks, it contains the teeth as cut, and
+/// its note gives the reason.
 ///
 /// Domain    at least one body (contract)
 /// Errors    a bore that does not fit; a file that is too large to be useful; `pair.shaft_angle`
@@ -94,12 +95,15 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
 
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 
-/// Writes the files, each completely or not at all.   Throws  IoError
+/// Writes the files, each completely or not at all.
+///
+/// Throws    IoError
 void write_files(const std::vector<JobFile>& files);
 
 /// Makes the folder and writes the files of a run into it. Files of an earlier run are removed if
-/// they are unchanged and if this run does not write them. All other files are kept.   Throws
-/// IoError
+/// they are unchanged and if this run does not write them. All other files are kept.
+///
+/// Throws    IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 
@@ -109,7 +113,8 @@ struct RunFiles {
   Verdict verdict;
 };
 
-/// Makes the files of `run` in memory. Nothing is written yet, but the paths are those in `folder`.
+/// Makes the files of `run` in memory. Nothing is written yet, but the paths of the files are
+/// already those in `folder`.
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 

@@ -57,7 +57,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// Returns the reason for which the verb `pair` rejects the spec of a branch, or none.
+// Returns the reason why the verb `pair` rejects the spec of a branch, or none.
 std::optional<std::string> why_refused(const Json& tree) {
   const auto branch = read_spec_tree(tree);
   if (!branch) return branch.error().message();

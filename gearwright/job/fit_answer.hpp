@@ -48,8 +48,9 @@ struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
   std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
-  /// For each candidate, a sentence with its number and likelihood. Sentences about data of the
-  /// gear that the readings do not determine follow.
+  /// For each candidate, a list of sentences. The first sentence contains the number and the
+  /// likelihood of the candidate. Further sentences describe, for example, data of the gear that
+  /// the readings do not determine.
   std::vector<std::vector<std::string>> notes;
   std::vector<Warning> warnings;
 };

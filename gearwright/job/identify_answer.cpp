@@ -126,9 +126,9 @@ std::string tip_fact(const IdentifiedGear& g, double measured) {
   return "";
 }
 
-// Returns sentences about a candidate: doubts about its profile shift, the data that the readings
-// do not determine, with their values in `spec` (the table of the gear), its basic rack, and a tip
-// diameter that differs from the nominal one.
+// Returns sentences about a candidate. They describe an implausible profile shift, data that the
+// readings do not determine, a basic rack other than the default, and a tip diameter that differs
+// from the nominal one. `spec` is the table of the gear in the spec of this candidate.
 std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g,
                                     const Json& spec) {
   std::vector<std::string> facts;

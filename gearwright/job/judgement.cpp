@@ -33,8 +33,9 @@ Judged judged_rack(const RackPair& rack, const std::vector<Warning>& warnings) {
   return judged;
 }
 
-// Returns the pinion and its rack with one change of the pinion. Returns none if only a contact
-// analysis can show the effect of the change, or if the changed pinion and rack cannot be computed.
+// Returns the state of the pinion and its rack after one change of the spec. Returns none if only a
+// contact analysis can show the effect of the change, or if the changed pinion and rack cannot be
+// computed.
 std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange& change,
                                          TryDepth depth) {
   GivenPair given = *job.given;

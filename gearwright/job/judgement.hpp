@@ -1,7 +1,8 @@
 // Computes the verdict on the gears, the pair and other results of a job.
 //
-// The verdict is computed as by judge() for arranged gears (arrange/judge.hpp), but its messages
-// name the keys of the file. Results under load are computed once, at the mean of the tolerances.
+// The verdict is computed in the same way as by judge() for arranged gears (arrange/judge.hpp), but
+// its messages name the keys of the file. Results under load are computed once, at the mean of the
+// tolerances.
 #pragma once
 
 #include <string>

@@ -38,9 +38,9 @@ std::string listing_of(UnitSystem units, const Quantities<S>& quantities,
   return quantity_listing(units, quantities.table(), {quantities.of(subject)}, {});
 }
 /// Lists the rows of a gear's record that differ between the lower and the upper end of its
-/// tolerances.
+/// tolerances. The text is empty if no row differs.
 ///
-/// Domain    the gear has tolerances
+/// Domain    the job has tolerances (job.ends)
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const std::array<ValueRecord, 2>& limits);
 std::vector<std::string> gear_columns(std::size_t count);
@@ -84,9 +84,9 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
 std::string table_listing(const TextTable& table);
 
 /// Lists designs below each other. The first column names the designs. If there are at least two
-/// designs, the list "Common to all designs" above the table replaces some columns. These are
-/// columns with the same text in all rows, and columns whose numbers are equal or opposite to those
-/// of an earlier column.
+/// designs, some columns are replaced by the list "Common to all designs" above the table. These
+/// are the columns with the same text in all rows, and the columns whose numbers are equal to those
+/// of an earlier column or differ from them only in sign.
 std::string design_listing(const std::vector<ListingColumn>& columns);
 
 }  // namespace gearwright

@@ -95,7 +95,8 @@ std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadReg
   return out;
 }
 
-// Lists some positions of a torque, at most one page. The option --json lists all positions.
+// Lists equally spaced positions of a torque, always fewer than 64. The option --json lists all
+// positions.
 std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
   const auto& positions = view.torque->positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);

@@ -34,7 +34,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.
 
-/// The report points into the job. It covers one pitch, even if [load] requests other rotations.
+/// The report contains pointers to data of the job, so the job must outlive it. The report covers
+/// one pitch, even if [load] requests other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if [load] requests only probes
@@ -45,7 +46,7 @@ struct LoadPart {
 /// contact under load cannot be computed for such gears. In these three cases, the job has a
 /// warning.
 ///
-/// Errors    the errors of answer_load that are about a wrong number of the spec
+/// Errors    all other errors of answer_load
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);
 
 // The verb `rate` rates the pair of a spec that has [rating] and materials. It also computes values

@@ -22,7 +22,9 @@ namespace gearwright {
 
 namespace {
 
-// Computes the pair as the verb `load` does. The error names keys of the spec of the pair.
+// Returns the greatest peak-to-peak transmission error of a pair under the torques of its spec, µm
+// along the line of action. The pair is computed in the same way as by the verb `load`. An error
+// names keys of the spec of the pair.
 Result<double> loaded_noise(const Json& tree, const std::filesystem::path& folder) {
   const auto spec = read_spec_tree(tree, folder, SpecUse::load);
   if (!spec) return spec.error();

@@ -30,8 +30,9 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   return measure(arranged, request, warnings);
 }
 
-// Returns the tools of a gear. If the spec gives no ball diameter, the balls get the diameter of
-// the given pins, or else that of pin_of_diametral_pitch(), if such balls touch the usable flanks.
+// Returns the tools of a gear. If the spec gives no ball diameter, balls with the diameter of the
+// given pins are used. If the spec gives no pins either, the balls have the diameter of
+// pin_of_diametral_pitch(). Such balls are used only if they touch the usable flanks.
 MeasureInput tools_of(const SolvedJob& job, int which) {
   MeasureInput tools = job.spec.gear(which).measure;
   if (tools.ball_diameter) return tools;

@@ -18,13 +18,13 @@ namespace gearwright {
 /// warning `no_chord`, `no_span` or `no_balls`. A contact outside the usable flank also causes a
 /// warning.
 ///
-/// Errors    `gearN.measure.…`: a requested measurement that is impossible
+/// Errors    `gearN.measure.…` for a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
-/// Returns the diameter of North American practice for balls and pins, mm (ANSI/AGMA 2002-B88, the
-/// sizes of Van Keuren). It is 1.728/P for an external gear and for a rack, and 1.68/P for an
-/// internal gear. P is the diametral pitch of this gear or of gear 1. If the spec is not in inch or
-/// does not give P, returns none.
+/// Returns the diameter of balls and pins in North American practice, mm (ANSI/AGMA 2002-B88, the
+/// sizes of Van Keuren). It is 1.728 m_n (1.728/P in inch) for an external gear and for a rack, and
+/// 1.68 m_n for an internal gear. P is the normal diametral pitch. Returns none if the spec is not
+/// in inch, or if it gives P neither for this gear nor for gear 1.
 std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, bool internal,
                                              double normal_module);
 
@@ -32,9 +32,9 @@ std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, boo
 /// impossible, its record is empty.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
-/// Returns, for each gear, two records with the numbers that differ between the lower and the upper
-/// end of its tolerances. If a gear has no such numbers, it has no records. Without tolerances, the
-/// list is empty.
+/// Returns two records for each gear, with the measurements at the lower and at the upper end of
+/// its tolerances. They show only the numbers that differ. If a requested measurement of a gear is
+/// impossible, the gear has no records. Without tolerances, the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
 /// Returns the record of job_record(), in which each of `gears` has an additional member `measure`.

@@ -59,7 +59,8 @@ std::string still_loaded(ReliefLength length, int gear) {
       words_of(length), gear);
 }
 
-// Returns reliefs of all lengths, with the helix modifications of the spec or with proposed ones.
+// Returns the reliefs of all lengths. They are computed with the helix modifications of the spec
+// or, if `lead` is not null, with those of `lead`.
 std::vector<ReliefProposal> find_reliefs(const SolvedJob& job, const LoadTask& task,
                                          const PairCompliance& compliance, const LeadProposal* lead,
                                          std::vector<std::string>& remarks) {
@@ -132,7 +133,7 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
   if (lead.any()) {
     for (const ReliefProposal& r : reliefs) list.proposals.push_back(tips_of(r, 0.0));
     add({});
-    list.remarks.clear();  // they are made again for reliefs with the modifications of `lead`
+    list.remarks.clear();  // find_reliefs() adds them again for the modifications of `lead`
     reliefs = find_reliefs(job, task, compliance, &lead, list.remarks);
   }
   for (const ReliefProposal& r : reliefs) add(tips_of(r, 0.0));

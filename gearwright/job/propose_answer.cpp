@@ -231,8 +231,9 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  // The proposal with the smaller merit is better. Later proposals change more of the spec. At
-  // equal rank, a later proposal is therefore chosen only if its merit is smaller by more than 1 %.
+  // A proposal with a smaller edge_rank() is always better. At equal rank, the proposal with the
+  // smaller merit is better. Later proposals change more of the spec. At equal rank, a later
+  // proposal is therefore chosen only if its merit is smaller by more than 1 %.
   constexpr double kWorth = 0.99;
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };

@@ -18,8 +18,8 @@ void add_rack_length(DataGroup& group, UnitSystem units, const char* words, cons
   group.rows.push_back({words, symbol, with_minus(length_text(units, mm))});
 }
 
-// The rows state if the number of teeth or the height of the body is a default. The distance to the
-// back and the dimension over a pin depend on this height.
+// The rows indicate whether the number of teeth and the height of the body are defaults. The
+// distance to the back and the dimension over a pin depend on this height.
 DataGroup rack_teeth(const SolvedJob& job, const Records& r) {
   const RackGeometry& rack = job.rack->rack;
   DataGroup group{"Rack data, symbols of ISO 21771", {}};

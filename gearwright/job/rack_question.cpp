@@ -17,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-// Descriptions of a rack count as equal if they differ by at most one part in a million, because
-// users round the input.
+// If the user gives a module and an angle, the base pitch of this rack may differ from that of the
+// gear by one part in a million, because users round their input.
 constexpr double kSameRack = 1e-6;
 // Permitted normal pressure angles of the rack in degrees, the same as for a gear.
 constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;

@@ -26,17 +26,19 @@ Json titled_record(const JobSpec& spec);
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
 /// Returns a record with the title and, under the key `load`, the result of the verb `load`.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
-/// Returns the quantities of the pair, or of the pinion with its rack.   Domain: job.mounted()
-/// (contract)
+/// Returns the quantities of the pair, or of the pinion with its rack.
+///
+/// Domain    job.mounted() (contract)
 ValueRecord pair_record(const SolvedJob& job);
 /// Returns a record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
-/// Returns the record of job_record() with `warnings` and `verdict`.
+/// Returns the record of job_record() with `warnings` and `verdict`, in the units of the spec.
 Json job_json(const SolvedJob& job, const Verdict& verdict);
-/// Returns `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty
-/// (contract)
+/// Returns {arcs: [{name, points}]} with n points per arc.
+///
+/// Domain    the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);
-/// Adds the list `key` to `object`, which is the text of a JSON object. row(i) makes each of the
+/// Adds the list `key` to `object`, which is the text of a JSON object. row(i) returns row i of the
 /// `count` rows. Each row has a line of its own, because such a list may be long.
 template <class Row>
 void add_row_lines(std::string& object, const char* key, std::size_t count, const Row& row) {
@@ -51,8 +53,8 @@ Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
 
-// The range of a record within tolerances. It consists of the numbers that differ, in JSON and for
-// users.
+// The range of a record within the tolerances, as JSON and for listings. It contains only the
+// numbers that differ.
 
 /// A record of the gears and the pair of one combination of toleranced numbers.
 using RecordAt = std::function<ValueRecord(const Arranged&)>;

@@ -24,9 +24,9 @@ struct RowTable {
 };
 
 /// Returns the rows of a table: [{id, group, words, symbol, unit, meaning, texts, ends, note}].
-/// `texts` has one text for each column. `ends` has the text of each value at both ends of the
-/// tolerances, the smaller value first. If a value does not depend on the tolerances, its `ends` is
-/// empty.
+/// `texts` has one text for each column. `ends` also has one text for each column. This text
+/// contains the values at both ends of the tolerances, the smaller value first. It is empty if the
+/// value does not depend on the tolerances. Without tolerances, the list `ends` is empty.
 Json rows_json(UnitSystem units, const RowTable& table);
 
 /// Returns the rows of the pair, with ids that begin with "pair", and the rows of the gears, with

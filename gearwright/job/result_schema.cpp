@@ -60,7 +60,8 @@ class Schema {
     if (!text.empty()) j["description"] = text;
     return j;
   }
-  // Returns the schema of a value, inside the lists of the quantity.
+  // Returns the schema of a value at this depth of the nested lists of the quantity. Depth 0 is the
+  // whole value.
   Json listed(const QuantityInfo& info, std::size_t depth) {
     if (depth == info.list.size()) return single(info, info.list.empty() && info.always);
     Json j{{"type", info.always || depth > 0 ? Json("array") : Json{"array", "null"}},

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRigid = 1e20;  // N mm/rad, as in the public samples
+constexpr double kRigid = 1e20;  // N mm/rad, stiffness of a rigid coupling in the public samples
 
 class Writer {
  public:
@@ -98,8 +98,7 @@ class Writer {
     model_.relations.push_back({std::move(type), std::move(refs)});
   }
 
-  /// Adds to the note of the file that the file lacks the part `what` of the spec, because REXS
-  /// cannot contain it.
+  /// Adds to the note of the file that the part `what` of the spec is not in the file.
   void leave_out(const std::string& what) {
     if (note_.find(what) == std::string::npos) note_ += ", without " + what;
   }

@@ -16,8 +16,8 @@ namespace gearwright {
 ///           or circular fillets
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
-/// Errors    the name of a gear that is a rack, that has no module, no teeth that fit the drive,
-///           circular-arc teeth or circular fillets
+/// Errors    the name of a gear that is a rack or double-helical, that has no module or no teeth
+///           that fit the drive, or that has circular-arc teeth or circular fillets
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path);
 
 }  // namespace gearwright

@@ -111,7 +111,7 @@ bool proportional(const ListingColumn& a, const ListingColumn& b, double factor)
 }
 
 // Returns "equal to u" if a column u of `columns` has the same numbers as `column`, or
-// "opposite to u" if the numbers of u differ only in sign. Otherwise returns nothing.
+// "opposite to u" if the numbers of u differ only in sign. Otherwise returns none.
 std::optional<std::string> relation(const ListingColumn& column,
                                     const std::vector<const ListingColumn*>& columns) {
   for (const ListingColumn* other : columns) {

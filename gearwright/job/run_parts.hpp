@@ -14,20 +14,20 @@ namespace gearwright {
 /// Returns the corrections of [compensate]. If they cannot be computed, for example because no
 /// teeth touch, the result is empty, and the job gets a warning.
 ///
-/// Errors    those of answer_compensate()
+/// Errors    all other errors of answer_compensate()
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress);
 
 /// Returns the scatter of [scatter]. If there is no contact, the result is empty. There is no
 /// further warning, because the contact analysis already adds one.
 ///
-/// Errors    those of answer_scatter()
+/// Errors    all other errors of answer_scatter()
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress);
 
-/// Returns the strength according to [rating]. The rating may need the load along the teeth. If
-/// this load cannot be computed, for example because no teeth touch, the result is empty, and the
-/// job gets a warning.
+/// Returns the rating of the pair according to [rating]. If the rating needs the load along the
+/// teeth, and this load cannot be computed, for example because no teeth touch, the result is
+/// empty, and the job gets a warning.
 ///
-/// Errors    those of answer_rating()
+/// Errors    all other errors of answer_rating()
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job, Progress* progress);
 
 }  // namespace gearwright

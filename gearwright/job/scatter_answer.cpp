@@ -202,8 +202,8 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   return all;
 }
 
-// Returns the groups of the spec, and a group for each input without a group, in the order of their
-// first inputs.
+// Returns the groups of the spec and, for each input without a group, a group of its own. The
+// groups are sorted by the index of their first input in `tolerances`.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {
   std::vector<std::string> names;
@@ -234,8 +234,8 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
   return groups;
 }
 
-// Returns the contact point of the nominal circular-arc racks. contact_along_profile is measured
-// from this point.
+// Returns the contact point of the nominal circular-arc racks, from which contact_along_profile is
+// measured. For all other teeth, the result is empty.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
   const ArcPair* arcs = pair.arcs();

@@ -44,8 +44,8 @@ struct VariedInputs {
   std::vector<ToleranceGroup> groups;
 };
 /// Domain    a job with a pair (contract)
-/// Errors    `scatter.…` or a grade that is impossible. The kind of the error is `no_flank` for a
-///           grade of teeth without a usable flank
+/// Errors    the key in [scatter], or the key of an accuracy grade, whose value is impossible. The
+///           kind of the error is `no_flank` for a grade of teeth without a usable flank
 Result<VariedInputs> varied_inputs(const SolvedJob& job);
 
 /// Returns the setup and the task of [scatter]. The load, the scatter and the corrections are not
@@ -72,7 +72,8 @@ DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, in
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 
-/// Replaces names by keys of [scatter] in an error that a function of scatter/ returns.
+/// Converts an error of a function of scatter/ to an error of the spec. If the field of the error
+/// is the name of an input, `scatter.` is put before it.
 Error of_scatter(const ScatterTask& task, Error error);
 
 /// Returns a view of `answer`. `answer` must outlive the view.

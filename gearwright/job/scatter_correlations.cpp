@@ -35,8 +35,8 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
 }
 
 // Returns the indices of the coordinates of a sample to which the name in `between` refers. The
-// name of a bore refers to both of its coordinates. Every other name refers to one coordinate. If
-// an input has several coordinates, this is the first one.
+// name of a bore refers to both coordinates of the bore. Every other name refers to a single
+// coordinate. The name of any other input with several coordinates refers to the first of them.
 std::vector<std::size_t> coordinates_named(const std::string& name,
                                            const std::vector<ScatterTolerance>& tolerances) {
   const std::vector<std::string> names = coordinate_names(tolerances);

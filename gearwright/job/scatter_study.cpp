@@ -28,7 +28,8 @@ Error refused_list(const fs::path& path, std::string rule) {
   return {"--designs", native_text(path), std::move(rule), FailureKind::option};
 }
 
-// Results of [scatter] that are computed only for a single pair and are not in the rows.
+// Keys of [scatter] that have no effect on a study. Their results are computed only for a single
+// pair, and the rows of a study do not contain them.
 constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust", "pattern"};
 
 // Returns the spec of a design as `search --take` prints it, without the keys in kOfOnePair.
@@ -70,8 +71,9 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
 }
 
 // Returns an error of [scatter] or [load] that concerns every design, or the error of a design that
-// belongs to another search. If there is such an error, the study is not started. Only designs up
-// to the first one that can be solved are examined.
+// belongs to another search. If there is such an error, the study is not started. The function
+// examines the designs in order and stops at the first one that can be solved and has usable flanks
+// for its accuracy grade.
 std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
                                    const std::vector<ListedDesign>& list,
                                    const StudyOptions& options) {
@@ -94,7 +96,8 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
 // search.json, or the output of --json.
 //
 // Throws    IoError
-// Errors    "--designs": a file that is not the result of a search, a search that is not finished
+// Errors    "--designs" for a file that is not the result of a search, and for a search that is not
+//           finished
 Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   std::error_code error;
   const bool folder = fs::is_directory(given, error);

@@ -37,12 +37,13 @@ struct StudyOptions : CampaignOptions {
   int threads = 0;                     ///< 0 uses all threads of the machine
   Progress* progress = nullptr;        ///< counts the samples of one design
   /// Receives the number of finished designs and the number of all designs. It is called before
-  /// each design and at the end.
+  /// each design. If the rows are kept in a folder, it is also called at the end.
   std::function<void(std::int64_t done, std::int64_t of)> on_design;
 };
 
 struct StudyRun {
-  bool finished = false;      ///< true if all rows are computed and this process made the files
+  bool finished = false;      ///< true if all rows are computed; of several ranks, only for the one
+                              ///< that makes the files
   std::vector<Json> designs;  ///< ranked rows with scattered_design_quantities
   std::vector<Json> refused;  ///< rows without a scatter, in the order of the list
   std::int64_t done = 0, of = 0;

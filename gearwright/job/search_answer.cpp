@@ -104,7 +104,9 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
       fmt::join(keys, ", "));
 }
 
-// Returns sentences about the counts, for the terminal and the page.
+// Returns sentences for the terminal and the page. They describe the rating, the default values,
+// unused tables and the results under load. If no design is feasible, they also describe changes
+// that make designs feasible.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
                                     UnitSystem units) {
   std::vector<std::string> lines;

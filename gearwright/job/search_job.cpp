@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::int64_t kMinChunk = 1 << 18;
 constexpr std::int64_t kShare =
-    1 << 16;  // number of trials that a thread takes at a time, if no file is written
+    1 << 16;  // greatest number of trials that a thread takes at a time in a search in memory
 // Greatest default number of trials in a chunk. A thread keeps the designs of its chunk in memory.
 constexpr std::int64_t kMaxChunk = 1 << 22;
 

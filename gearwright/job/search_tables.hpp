@@ -1,6 +1,6 @@
 // Makes the columns of the CSV and Parquet tables of a search from the catalogue. Each quantity
-// with a column name has one column. If it has a value for each gear or for each end of a range, it
-// has two columns. Internal to job/ and the programs.
+// with a column name has one column, or two columns if it has a value for each gear or for each end
+// of a range. Internal to job/ and the programs.
 #pragma once
 
 #include <algorithm>

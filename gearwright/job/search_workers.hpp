@@ -1,5 +1,5 @@
-// Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as
-// it is finished. Internal to job/ and the programs.
+// Computes chunks of a search with all threads of this process. Each chunk is passed to the caller
+// as soon as it is finished. Internal to job/ and the programs.
 #pragma once
 
 #include <atomic>

@@ -49,7 +49,8 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 /// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
-/// If gear 2 is a rack, returns the error for a result that needs two gears, otherwise none.
+/// If gear 2 is a rack, returns the error for a result that needs two gears. Otherwise, returns
+/// none.
 std::optional<Error> two_gears_error(const JobSpec& spec);
 
 /// If a gear is double-helical, returns the error for a result that needs single-helical gears.

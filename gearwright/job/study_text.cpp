@@ -20,7 +20,7 @@ namespace gearwright {
 namespace {
 
 // A column with its headings in CSV and in a terminal, and with the path of its value in a row. In
-// this path, % stands for the number of the percentile.
+// this path, % stands for the index of the percentile by which the designs are ranked.
 struct StudyColumn {
   const char* csv;
   const char* head;  ///< empty if only CSV has the column

@@ -25,9 +25,9 @@ DrawingInput title_words(const SolvedJob& job) {
   return words;
 }
 
-// Returns the textures of the surfaces. `flank` is the texture of flanks without a texture of their
-// own. For any other surface without a texture of its own, the texture of the title block applies.
-// If the title block has no texture, the symbol of such a surface is blank.
+// Returns the textures of the surfaces. `flank` is the texture of the flanks if [drawing] gives
+// none. For a surface that still has no texture, the texture of the title block applies, and the
+// result is none. If the title block also gives no texture, the symbol of the surface is blank.
 SurfaceRequirements textures(const DrawingInput& words, const std::string& flank) {
   const auto texture = [&](const std::string& own) {
     return own.empty() && !words.surface_texture.empty() ? std::nullopt : std::optional(own);
@@ -70,8 +70,8 @@ std::string heat_treatment(const MaterialInput& material) {
   return words;
 }
 
-// Sets the material and the heat treatment of the title block. If the title block already has a
-// material, the material of the rating is not used.
+// Sets the material and the heat treatment of the title block. If [drawing] gives a material,
+// `material` is not used.
 void add_material(DrawingInput& words, const MaterialInput& material) {
   if (!words.material.empty()) return;
   words.material = material.name.value_or("");
@@ -101,7 +101,7 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const SheetNumb
   const auto body = make_body(job, which);
   if (!body) return body.error();
   const bool inch = job.spec.units() == UnitSystem::inch;
-  const double unit_mass = inch ? 0.45359237 : 1.0;  // kg in a pound
+  const double unit_mass = inch ? 0.45359237 : 1.0;  // mass of one pound or one kilogram, kg
   const auto mass = mass_of(job, which, *body);
   GearSheetInput input{*body,
                        job.gear(which).reference_diameter,

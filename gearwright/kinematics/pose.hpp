@@ -45,7 +45,7 @@ FreeVector<F> operator*(const FreeVector<F>& a, double factor) {
   return {a.v * factor};
 }
 
-/// The rotation about z. The axis z keeps its last bit.
+/// The rotation about z. It does not change the z axis or z coordinates, not even in the last bit.
 inline Mat3 about_z(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return Mat3{{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}};

@@ -57,8 +57,9 @@ struct LoadedScore {
   bool edge_carries = false;
 };
 
-/// Returns one score for each torque. The list is empty if no teeth touch at some position, if a
-/// position does not converge, or if the slices are too fine for the contact.
+/// Returns one score for each torque. The list is empty if there is a position at which no teeth
+/// touch or the search does not converge. It is also empty if the slices are too fine for the
+/// contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 LoadedScore no_score();

@@ -20,8 +20,9 @@ void reverse(LoadedPair& pair) {
 
 bool deflects(const LoadRequest& r) { return r.deflection_slope != 0.0 || r.deflection_bow != 0.0; }
 
-// Returns the heights of the middles of the slices, mm. With deflections, the first contact is
-// searched for only at these heights, so the borders of the slices are appended.
+// Returns the heights of the middles of the slices, mm. If `borders` is true, the heights of the
+// borders between the slices and of both ends are appended. With deflections, the first contact is
+// searched for only at the returned heights.
 std::vector<double> heights_of(const FaceSlices& s, bool borders) {
   std::vector<double> heights;
   for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));

@@ -63,7 +63,7 @@ class PositionSolver {
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // Returns the approach by the additional deflection at the height z in the frame N, mm.
+  // Returns the approach due to the additional deflection at the height z in the frame N, mm.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);

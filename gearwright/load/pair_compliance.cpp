@@ -16,7 +16,8 @@ constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results only 
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
 // Least width of a slice, in modules. Narrower slices have no solution.
 constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints = 0.18;
-// Least width of a slice in half widths of the contact, if kMostPairs tooth pairs share the load.
+// Least width of a slice as a multiple of the half width of the contact, if kMostPairs tooth pairs
+// share the load.
 constexpr double kHopelessWidths = 2.0;
 constexpr int kMostPairs = 3;
 // Least default width of a slice of an internal pair, divided by √(R m). R is the relative radius

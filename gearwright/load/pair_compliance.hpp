@@ -75,7 +75,7 @@ std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegim
 
 /// Returns the value of LoadRequest::reach for crossed axes. The path of contact extends beyond the
 /// pitch point by at most h_a/sin α_n. The value is this length plus 2 modules for the ellipses and
-/// errors, but at least half of the width of 32 slices of 0.4 modules.
+/// errors. It is at least half of the width of 32 slices of 0.4 modules.
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
 inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face

@@ -42,7 +42,7 @@ struct AxisPlace {
   std::array<double, 2> radius, z;  // mm
   bool inside;  // true if the place is on both flanks; otherwise radius and z are clamped to them
 };
-// The nodes of an ellipse along the part of its major axis that lies on the flanks.
+// The nodes of an ellipse, which lie on that part of its major axis that is on both flanks.
 struct Laid {
   LoadedPoint point;
   double softness = 0.0;         // c of [T12.24]  mm/N^(2/3)

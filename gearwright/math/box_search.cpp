@@ -1,7 +1,8 @@
-// The box is divided into cells. Each cell has the value of f at its middle. If size is plotted to
-// the right and value upwards, the cells on the lower right part of the convex hull are those that
-// can contain the least value of f for some slope of f. Each round divides these cells. Only the
-// cell with the least value of each size is considered, which is the local bias of DIRECT-L.
+// The box is divided into cells. The value of a cell is the value of f at its middle. In a plot of
+// the values over the sizes, the cells on the lower right part of the convex hull are those that
+// can contain the least value of f for some greatest slope of f. Each round divides these cells. Of
+// the cells of equal size, only the one with the least value is considered, which is the local bias
+// of DIRECT-L.
 //
 //   size     half of the longest side, as a part of the box
 //   f        value in the middle of the cell
@@ -91,8 +92,9 @@ class BoxSearch {
     return cells_.back();
   }
 
-  // Divides the longest sides of a cell, beginning with the side along which f is least. The parts
-  // with the least values are therefore the largest. Returns false if the trials are spent.
+  // Divides a cell along its longest sides, beginning with the direction in which the least value
+  // of f was found. The parts with the least values are therefore the largest. Returns false if the
+  // trials are spent.
   bool divide(Cell& cell) {
     const double longest = *std::max_element(cell.side.begin(), cell.side.end());
     std::vector<std::size_t> along;

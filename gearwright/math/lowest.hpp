@@ -7,7 +7,8 @@
 namespace gearwright {
 
 /// The least value of f at steps + 1 equally spaced points of [0, 1]. `lo` and `hi` are the two
-/// neighbours of the point at which f has this value.
+/// neighbours of the point at which f has this value. If the point is an end of [0, 1], it replaces
+/// the missing neighbour.
 struct LeastNode {
   double lo, hi;
   double least;

@@ -1,7 +1,7 @@
 // Minimises a function of several variables within a box, without derivatives.
 //
-//   whole_box   DIRECT-L divides the box into thirds repeatedly; the parts are smallest where f is
-//               least
+//   whole_box   DIRECT-L divides the box into thirds repeatedly; the parts become smallest where f
+//               is least
 //   downhill    Subplex moves simplices of two to five variables downhill from a start point
 //
 // Both methods are deterministic. They evaluate f at the same points in the same order as
@@ -24,10 +24,10 @@ enum class Minimiser {
   downhill    ///< Subplex, a local search from the start point
 };
 
-/// A search ends after `evaluations` evaluations, or earlier when a step changes the best value of
-/// f too little. The change is then less than `gain`, less than the fraction `relative_gain` of
-/// this value, or 0 if `relative_gain` > 0. A search of the whole box makes at least two
-/// evaluations.
+/// A search ends after `evaluations` evaluations, or earlier if the best value of f changes too
+/// little in a step. This is the case if the change is less than `gain` or less than the fraction
+/// `relative_gain` of the value, or if the change is 0 and `relative_gain` > 0. A search of the
+/// whole box makes at least two evaluations.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0

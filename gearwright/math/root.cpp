@@ -16,9 +16,9 @@ namespace gearwright {
 // Greatest number of evaluations by TOMS 748, which usually needs about ten. If the limit is
 // reached, the remaining bracket is bisected.
 constexpr std::uintmax_t kBudget = 100;
-// TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until kBudget is
-// reached. It is stopped when the width of the bracket is at most this fraction of the end with the
-// greater magnitude.
+// TOMS 748 does not evaluate f within two ulp of the ends of its bracket, so it may cycle until
+// kBudget is reached. It is therefore stopped when the width of the bracket is at most this
+// fraction of the end with the greater magnitude.
 constexpr double kCircles = 16 * std::numeric_limits<double>::epsilon();
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {

@@ -34,7 +34,7 @@ struct Root {
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
-/// Returns the value nearest to `wanted` for which `possible` returns true, by halving. `possible`
+/// Finds the value nearest to `wanted` for which `possible` returns true, by bisection. `possible`
 /// must be true at `known` and false at `wanted`, and must change only once between them.
 template <class Possible>
 double nearest_possible(double known, double wanted, const Possible& possible) {
@@ -67,10 +67,10 @@ std::vector<double> polynomial_roots(std::span<const double> c, double lo, doubl
 
 // Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket. If a step would leave the bracket, the bracket is bisected
-// instead. From the third evaluation on, it is also bisected if a step would be longer than half
-// the previous step. newton_in_bracket() is a template over the scalar, like the functions of
-// involute.hpp.
+// Every evaluation narrows the bracket. If a step would leave the bracket, the next point is the
+// middle of the bracket instead. From the third evaluation on, this is also the case if a step
+// would be at least half as long as the previous step. newton_in_bracket() is a template over the
+// scalar, like the functions of involute.hpp.
 
 template <class T>
 struct Slope {

@@ -30,7 +30,8 @@ Moments moments(std::span<const double> samples);
 double quantile(std::span<const double> sorted, double p);
 
 /// Two ranks of sorted samples, counted from 1. With a given confidence, the p-quantile of the
-/// distribution lies between the samples with these ranks. A rank is absent for too few samples.
+/// distribution lies between the samples with these ranks. A rank is absent if there are too few
+/// samples for it.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };

@@ -88,7 +88,7 @@ class SimplexSearch {
     return false;
   }
 
-  // Returns variable i after its first step. The result lies in the box.
+  // Returns the value of variable i after its first step from x. The result lies in the box.
   double stepped(std::size_t i, double x) const {
     const double lo = group_.lo[i], hi = group_.hi[i], reach = std::abs(group_.step[i]);
     double to = x + group_.step[i];
@@ -121,7 +121,8 @@ class SimplexSearch {
     return sum;
   }
 
-  // Sets `to` to the point `from` + factor·(from − x), clipped to the box, and to its value.
+  // Sets `to` to the point `from` + factor·(from − x), clipped to the box, and to the function
+  // value at this point.
   // Returns false if the point is equal to `from` or x, or if the trials are spent.
   bool away(const std::vector<double>& from, double factor, const std::vector<double>& x,
             Corner& to) {
@@ -180,9 +181,10 @@ class SimplexSearch {
   End end_ = End::small;
 };
 
-// Returns the number of variables of the next group, which begins at `first`. The group ends where
-// the mean progress of all variables up to its end exceeds the mean progress of the rest the most.
-// `before` is the sum of the progress of the preceding groups.
+// Returns the number of variables of the next group, which begins at `first`. The end of the group
+// is chosen so that the mean progress of all variables up to this end exceeds the mean progress of
+// the following variables the most. `before` is the sum of the progress of the preceding groups,
+// and `whole` is the sum of the progress of all variables.
 std::size_t group_size(const std::vector<double>& progress, std::size_t first, double before,
                        double whole) {
   const std::size_t n = progress.size();

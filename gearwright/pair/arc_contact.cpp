@@ -113,7 +113,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   const double mu = std::atan2(w * cot * s, c0 + w);
   at.mu = Angle::radians(mu);
 
-  // The point and the normal at the position at which the rack cut them, turned by μ.
+  // The point and the normal are computed at the position at which the rack cuts them, and are then
+  // turned by μ.
   const double x = height(in.convex, theta);
   const double A = r_v + x, B = x * cot * s;
   const double cos_mu = std::cos(mu), sin_mu = std::sin(mu);

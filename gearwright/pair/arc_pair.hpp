@@ -57,7 +57,7 @@ constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< greatest |β_1 + β_2|
 constexpr double kSameAsWritten = 1e-9;            ///< relative difference below which two values
                                                    ///< count as equal
 constexpr Angle kSamePressureAngle =
-    Angle::degrees(0.05);  ///< greatest difference between the given ψ_c and the computed ψ_c
+    Angle::degrees(0.05);  ///< greatest error of a given pressure angle
 
 /// Mounts two gears. If `distance` is absent, the reference centre distance is used.
 ///

@@ -20,7 +20,7 @@ namespace gearwright {
 ///
 /// Formula   α = c + c³ P(c²) with c = ∛(3y) for y < 1.1, otherwise α = π/2 − s − s³ Q(s²) with s =
 ///           1/(y + π/2); section 2.1
-/// Units     rad; odd in y
+/// Units     rad; the result is an odd function of y
 /// Domain    |y| ≤ 1e12, as inverse_involute()
 /// Accuracy  ledger row `inverse_involutes`; at most 6 ulp from inverse_involute()
 void inverse_involutes(const double* y, double* alpha, std::size_t n);

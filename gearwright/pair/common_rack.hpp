@@ -82,7 +82,7 @@ struct CommonRack {
   RackAngles<T> angles;
   T normal_pressure_angle;  ///< α_n  rad
   T pitch_normal;           ///< p_n  mm
-  T excess;                 ///< Q(α_n)  mm: Σ t_n − p_n along the flank normal
+  T excess;                 ///< Q(α_n) = (Σ t_n − p_n) cos α_n  mm
   T shaft_angle;            ///< Σ = β_1 + σ β_2  rad
   std::array<RackSide<T>, 2> sides;
 
@@ -138,7 +138,8 @@ CommonRack<T> common_rack(const BasePair<T>& gears, const RackAngles<T>& angles)
   return rack;
 }
 
-/// Returns the centre distance without backlash, a = r_2 + σ (r_1 + X), without cancellation.
+/// Returns the centre distance without backlash, a = r_2 + σ (r_1 + X), computed without
+/// cancellation.
 ///
 /// Formula   a = r_b2 α_t2/sin α_t2 + σ (r_b1 α_t1/sin α_t1 + K/(2 sin α_n)); [T4.9], [T4.11]
 /// Accuracy  ledger row `crossed.center_distance`

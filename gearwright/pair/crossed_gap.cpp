@@ -237,7 +237,7 @@ TipGap descend(const GapOver& gap_at, const Node& from, double h) {
     const double f_xx = f[2][1] - 2 * f[1][1] + f[0][1], f_yy = f[1][2] - 2 * f[1][1] + f[1][0];
     const double f_xy = (f[2][2] - f[2][0] - f[0][2] + f[0][0]) / 4;
     const double det = f_xx * f_yy - f_xy * f_xy;
-    if (!(det > 0.0) || !(f_xx > 0.0)) continue;  // no minimum exists, so the next step is shorter
+    if (!(det > 0.0) || !(f_xx > 0.0)) continue;  // f has no minimum; only h decreases
     const double dx = std::clamp((-f_yy * f_x + f_xy * f_y) / det, -2.0, 2.0);
     const double dy = std::clamp((-f_xx * f_y + f_xy * f_x) / det, -2.0, 2.0);
     ask(x_0 + dx * h, y_0 + dy * h);

@@ -42,7 +42,8 @@ std::array<double, 2> approach_and_recess(const ParallelPair& pair);
 /// Formula   F_z1/F_t = −tan β_w1, F_z2 = −F_z1, [T6.15]
 std::array<double, 2> axial_force(const ParallelPair& pair);
 
-/// Returns the change of the circumferential backlash per mm of centre distance. [T6.16]
+/// Returns 2 tan α_wt, the change of the circumferential backlash per mm of centre distance. If the
+/// centre distance of an internal pair increases, the backlash decreases by this amount. [T6.16]
 double backlash_per_distance(const ParallelPair& pair);
 
 }  // namespace gearwright

@@ -43,7 +43,7 @@ SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& me
 /// The efficiencies η_12 and η_21 for the coefficient of friction μ.   Domain: μ ≥ 0 (contract)
 Efficiency efficiency(const SlidingShares& shares, double friction);
 
-// Zones of the line of action, by the number of tooth pairs in contact.
+// A zone of the line of action in which the number of tooth pairs in contact is constant.
 
 struct ContactZone {
   double begin, end;  ///< mm of ρ_1

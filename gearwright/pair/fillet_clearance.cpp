@@ -7,10 +7,11 @@
 //   w          orbit parameter, 0 at the deepest position, where the corner crosses the centre line
 //
 // In the frame of the gear with the fillet, the axis of the mating gear moves on a circle about the
-// axis of the gear with the fillet. By [T2.26], the corner of the mating gear is at
-//   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
-//   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its internal gear
-//   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear about its pinion
+// axis of the gear with the fillet. The right column names the gear with the fillet. By [T2.26],
+// the corner of the mating gear is at
+//   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      gear of an external pair
+//   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion of an internal gear
+//   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear
 // The x axis is the centre line of the space. The fillet belongs to the tooth with the centre line
 // at the polar angle π/z.
 #include <algorithm>
@@ -105,7 +106,8 @@ double signed_distance(const Arc& arc, const Vec2& p) {
       arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
                                      : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
   double angle = std::atan2(p.y(), p.x());
-  // The polar angle of p may exceed π if the gear has one tooth. atan2 then returns it less 2π.
+  // The polar angle of p may exceed π if the gear has one tooth. In this case, atan2 returns this
+  // angle minus 2π.
   if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;
   return angle >= theta ? least : -least;
 }
@@ -137,7 +139,7 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
     std::optional<double> least;
     for (const Arc& arc : gear.tooth->outline.arcs) {
       if (arc.name != ArcName::root_fillet) continue;
-      // If cos w is greater than c, the corner lies below the upper end of the arc.
+      // If cos w is greater than c, the corner lies on the root side of the end of the arc.
       const double r = arc.end_point.norm();
       const double deep = a * a + corner.radius * corner.radius - r * r;
       const double c = side * deep / (2 * a * corner.radius);

@@ -19,8 +19,8 @@ namespace gearwright {
 /// A reason why parts of the pair collide.
 struct Interference {
   WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
-                     ///< the cause has no code of its own. If a tip meets an undercut, there is no
-                     ///< collision, but the warning `contact_lost_to_undercut`
+                     ///< the cause has no code of its own. A tip that meets an undercut is not a
+                     ///< collision; it causes the warning `contact_lost_to_undercut`
   int gear;          ///< the gear whose root or tip is affected
   std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if negative, the depth of
                                        ///< the interference
@@ -52,8 +52,8 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none if contact extends beyond the base tangent point
   SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, σ (a − extended centre distance); restores the tip
-                          ///< clearance of the basic racks; > 0 if a exceeds this distance
+  double tip_shortening;  ///< k m_n  mm, σ (a − extended centre distance). This change of the tip
+                          ///< radii gives the tip clearance of the basic racks; < 0 if they shrink
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
                                          ///< and contact is continuous
   /// The findings that explain the overlap, or all findings if the outlines were not compared.

@@ -25,7 +25,7 @@ struct GapSample {
 };
 
 /// A Sampler has two members. GapSample sample(double t) evaluates the gap and records the least
-/// value. double known() returns a limit above which gaps need not be exact.
+/// value. double known() returns the limit above which gaps need not be exact.
 template <class Sampler>
 class LeastGap {
  public:

@@ -1,4 +1,4 @@
-// Computes all quantities with a closed form of two involute gears in mesh at any shaft angle.
+// Computes all closed-form quantities of two involute gears in mesh, at any shaft angle.
 //
 //   n    common normal of the leading flanks, along which the contact moves
 //   ρ_1  curvature radius of flank 1 in its transverse section, the parameter of the line of action
@@ -284,9 +284,9 @@ constexpr double kNoSpeed = 1e-12;  // relative to the sum of both speeds; small
                                     // rounding errors
 
 /// Specific sliding (ζ_1, ζ_2) at ρ_1: the sliding distance of the flanks per mm that the contact
-/// moves over the flank. On parallel axes, ζ is < 0 on the flank that slides backward relative to
-/// the contact, and both ζ are empty at a base tangent point and beyond it. On crossed axes, ζ is
-/// the ratio of the magnitudes of the speeds, so ζ ≥ 0.
+/// moves over the flank. On parallel axes, ζ is < 0 on the flank over which the contact moves more
+/// slowly. At a base tangent point and beyond it, both ζ are empty. On crossed axes, ζ is the ratio
+/// of the magnitudes of the speeds, so ζ ≥ 0.
 ///
 /// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22];
 ///           crossed: ζ_i = |w_1 − w_2|/|w_i|, [T4.25]

@@ -129,7 +129,7 @@ struct Motion {
   }
 };
 
-/// The gap between an arc of A and an arc of B. For each point of the arc of A, the normal passes
+/// The gap between an arc of A and an arc of B. The normal at a point of the arc of A passes
 /// through the pitch point in two positions of A, one for each branch. The gap is computed in these
 /// positions. [T2.31]
 class ArcFamily {

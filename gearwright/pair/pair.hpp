@@ -58,7 +58,7 @@ class Pair {
   double gear_ratio() const { return mounted().gear_ratio(); }          ///< z2/z1
   double center_distance() const { return mounted().center_distance; }  ///< a  mm
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
-  double contact_ratio() const;                                         ///< over the whole face
+  double contact_ratio() const;                                         ///< up to the tips
   double contact_ratio_true() const;       ///< contact ratio on the usable flanks
   StatedBacklash stated_backlash() const;  ///< 0 for circular arcs without contact
   const std::vector<Warning>& warnings() const { return mounted().warnings; }

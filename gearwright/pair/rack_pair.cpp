@@ -180,7 +180,8 @@ std::optional<Error> size_error(const RackGeometry& rack) {
   return std::nullopt;
 }
 
-// Returns the error for a thickness allowance that leads to a land with a negative length.
+// Returns the error for a thickness allowance with which the land of a tooth or of a space would
+// have a negative length.
 std::optional<Error> land_error(const RackGeometry& rack) {
   const double slope = 2 * std::tan(rack.normal_pressure_angle.rad());
   const double least = rack.addendum * slope - rack.normal_pitch / 2;

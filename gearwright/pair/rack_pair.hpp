@@ -89,7 +89,7 @@ struct RackPair {
   /// The parts of true_contact_ratio() before and after the pitch point.
   std::array<double, 2> approach_and_recess() const;
   /// Returns g at the start of contact, mm. Contact starts at A. If the pinion is undercut, contact
-  /// starts at the start of its usable flank.
+  /// starts at the beginning of the clipped path.
   double contact_start() const;
   double normal_backlash() const;  ///< j_n  mm
   StatedBacklash stated_backlash() const;

@@ -20,7 +20,7 @@ Error no_working_angle(double a, double least, bool external, double a_d) {
                   external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
 }
 
-// Divides the sum into two shifts. A shift that the user gives is not changed.
+// Divides the sum into two shifts. A shift that is given in the problem is not changed.
 ShiftSolution divided(const ShiftProblem& p, double sum, double a) {
   ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), a};
   if (p.x1) {

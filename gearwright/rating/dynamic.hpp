@@ -1,5 +1,5 @@
-// Computes the internal dynamic loads of the mesh by method B. They follow from running-in and
-// resonance, and are expressed by the dynamic factor.
+// Computes the internal dynamic loads of the mesh to method B of ISO 6336-1, as the dynamic factor.
+// Running-in and resonance are taken into account.
 //
 //   m_red    reduced mass of the pair per face width, kg/mm
 //   n_E1     resonance speed of the pinion, 1/min           N = n_1/n_E1

@@ -1,4 +1,4 @@
-// Factors of surface durability (pitting) by ISO 6336-2.
+// Factors of surface durability (pitting) to ISO 6336-2.
 //
 //   σ_H0 = Z_H Z_E Z_ε Z_β √(F_t (u + 1)/(d_1 b u))      σ_H = Z_B,D σ_H0 √(K_A K_γ K_v K_Hβ K_Hα)
 //   σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X               S_H = σ_HG/σ_H

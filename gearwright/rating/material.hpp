@@ -31,7 +31,7 @@ enum class MaterialKind {
   nodular,             ///< GGG (perl., bai.)
   nodular_ferritic,    ///< GGG (ferr.)
   malleable,           ///< GTS (perl.)
-  plastic              ///< rated by VDI 2736 only
+  plastic              ///< rated to VDI 2736 only
 };
 
 /// Returns the names of the kinds in a spec, in the order of the enumerators.
@@ -101,7 +101,8 @@ std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 std::optional<Material> material_named(std::string_view name,
                                        std::optional<double> hardness_HV = std::nullopt);
 
-// Life factors are the increase of strength for fewer load cycles.
+// A life factor is the strength at a given number of load cycles, divided by the strength at the
+// reference number.
 //
 //   N_L   load cycles           Z_NT, Y_NT   life factors of flank and root, for test conditions
 //

@@ -1,4 +1,4 @@
-// Rates root and flank of plastic gears at the temperatures of the teeth by VDI 2736, part 2.
+// Rates root and flank of plastic gears to VDI 2736, part 2, at the temperatures of the teeth.
 //
 //   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   ambient temperature, °C
 //   H_V           degree of tooth loss                     μ     coefficient of friction
@@ -48,7 +48,7 @@ struct RatingInput;
 struct Rating;
 
 std::vector<Error> missing_plastic_inputs(const RatingInput& input);
-/// Rates a pair by VDI 2736. rate() calls this function. The values of the result are in the order
+/// Rates a pair to VDI 2736. rate() calls this function. The values of the result are in the order
 /// pinion, wheel.
 ///
 /// Formula   [T11.45]…[T11.47]

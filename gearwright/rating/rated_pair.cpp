@@ -12,8 +12,8 @@ namespace gearwright {
 namespace {
 
 // Returns the tool that determines the root of a gear. If an internal gear has no given cutter,
-// gear/pinion_cut.hpp has chosen a default cutter, which has no profile shift. Its tip rounding is
-// assumed to be the tip rounding of the gear's rack. For a given cutter, the profile shift is
+// gear/pinion_cut.hpp has chosen a default cutter, which has no profile shift. The smaller of the
+// roundings of this cutter and of the gear's rack is used. For a given cutter, the profile shift is
 // computed from the generating centre distance, and the tip rounding is the rounding of the
 // cutter's tip corners.
 RootTool root_tool(const Gear& gear) {

@@ -1,4 +1,4 @@
-// Computes all factors, stresses and safety factors of a pair by ISO 6336, method B.
+// Computes all factors, stresses and safety factors of a pair to ISO 6336, method B.
 //
 //   const auto pair = rated_pair(mounted);
 //   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
@@ -7,7 +7,7 @@
 // Lists of two values are in the order gear 1, gear 2 of the spec, whichever is the pinion. A
 // factor whose optional input is not given is 1, and its branch states this. Scuffing and
 // micropitting (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp
-// computes the same numbers by VDI 2736 at the temperatures of the teeth. Factors that this
+// computes the same numbers to VDI 2736, at the temperatures of the teeth. Factors that this
 // guideline does not contain are absent.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
@@ -79,8 +79,8 @@ struct Rating {
   std::array<CriticalSection, 2> section;
   FactorPair Y_F, Y_S, Y_beta, Y_B, Y_DT, Y_ST, Y_M, Y_NT, Y_delta_relT, Y_R_relT, Y_X;
   FactorPair sigma_F0, sigma_F, sigma_FG, S_F;
-  std::optional<Factor> Y_epsilon;               ///< only by VDI 2736
-  std::optional<ToothTemperatures> temperature;  ///< °C, only by VDI 2736
+  std::optional<Factor> Y_epsilon;               ///< VDI 2736 only
+  std::optional<ToothTemperatures> temperature;  ///< °C, VDI 2736 only
   std::vector<Warning> limits;                   ///< limits of the standard that this pair exceeds
 };
 
@@ -93,11 +93,12 @@ std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 ///           and a factor requires it; `rating.face_load_factor` if neither this factor nor a
 ///           mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for double-helical
 ///           gears without a face load factor; `gearN.rack` if no tangent touches the root;
-///           `gearN.profile_shift` if single pair contact reaches a base circle; by VDI 2736
+///           `gearN.profile_shift` if single pair contact reaches a base circle; for VDI 2736 also
 ///           `rating.plastic…`, `rating.edition` if neither gear is made of plastic or if a gear is
 ///           internal, and `gearN.material…` if there is no value at the temperature
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T
-///           (2) if lengths are multiplied by k and the torque by k³, the stresses do not change
+///           (2) if lengths are multiplied by k and the torque by k³, the nominal stresses do not
+///               change
 ///           (3) if gear 1 and gear 2 are exchanged, and torque and speed are those of the new
 ///               gear 1, the numbers do not change
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);

@@ -1,4 +1,4 @@
-// Factors of tooth bending strength by ISO 6336-3.
+// Factors of tooth bending strength to ISO 6336-3.
 //
 //   σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT                 σ_F = σ_F0 K_A K_γ K_v K_Fβ K_Fα
 //   σ_FG = σ_Flim Y_ST Y_M Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F

@@ -12,7 +12,8 @@ namespace {
 constexpr double kLastCycles = 1e10;
 constexpr int kHalvings = 60;
 
-// The strength of the flank or root of one gear, σ(N) = σ_0 Z(N) (σ_ref/σ_0)^w(N).
+// The strength of the flank or root of one gear, σ(N) = σ_0 Z(N) (σ_ref/σ_0)^w(N). Z is the life
+// factor, and w is Life::reference.
 struct Strength {
   MaterialKind kind;
   bool flank;

@@ -1,4 +1,4 @@
-// Computes the damage by each step of a load spectrum, and the safety factors of the spectrum.
+// Computes the damage by a load spectrum, and the safety factors of the spectrum.
 //
 //   n_i   cycles of step i        N_i(σ)  permissible cycles at the stress σ
 //   U     damage Σ n_i/N_i, 1 at failure (Miner)
@@ -37,7 +37,8 @@ RatingInput input_of(const LoadBin& step, RatingInput input);
 /// Formula   [T11.42]; ISO 6336-6, Miner's rule
 /// Errors    as rate()
 /// Domain    at least one step; torques, speeds and hours > 0 (contract)
-/// Laws      (1) a spectrum of one step has the safety factors of rate() with K_A = 1
+/// Laws      (1) a spectrum of one step has the safety factors of rate() with K_A = 1 and the life
+///           of this step
 ///           (2) if a step is divided in two, the result does not change
 ///           (3) U ≤ 1 if S ≥ 1
 Result<SpectrumRating> rate_spectrum(const RatedPair& pair, const RatingInput& input,

@@ -1,5 +1,5 @@
-// The data of the report on tooth contact. In addition to ContactScene, they contain the patterns,
-// the maps, and the names and values of the assumed errors.
+// The data of the report on tooth contact. In addition to the data of ContactScene, the report
+// needs the patterns, the map, and the names and values of the assumed errors.
 #pragma once
 
 #include <array>

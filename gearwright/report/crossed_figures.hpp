@@ -1,4 +1,5 @@
-// Draws a crossed pair in plan, in section, on its faces and over the common rack's pressure angle.
+// Draws figures of a crossed pair, which are its plan, its section, the use of its faces, and
+// curves over the pressure angle of the common rack.
 //
 //   A–E       leading line of action    T_1, T_2  base tangent points    C  pitch point of gear 1
 //   A′–E′     trailing line of action: the leading line turned by 180° about the centre line
@@ -79,7 +80,8 @@ Figure face_use_figure(const CrossedPair& pair);
 /// Domain    the flanks meet (contract)
 Figure speed_figure(const CrossedPair& pair);
 
-/// Writes a table of the contact speeds over each flank at the points A, C and E.
+/// Writes a table of the speeds at which the contact moves over each flank, at the points A, C and
+/// E.
 ///
 /// Domain    the flanks meet (contract)
 std::string speed_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);

@@ -30,8 +30,9 @@ constexpr double kPhaseModules = 6.5;  // modules, size of the area in a picture
 constexpr double kTeethPerSecond = 1.2;
 constexpr int kSliderSteps = 240;  // number of positions of the slider
 
-// Returns the angle by which a body turns while t runs from 0 to 1, in degrees, clockwise as in
-// SVG. `ratio` is the speed of the body divided by the speed of the input.
+// Returns the angle by which a body turns during the motion, while t runs from 0 to 1. The angle is
+// in degrees, positive clockwise as in SVG. `ratio` is the speed of the body divided by the speed
+// of the input.
 double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input_turns; }
 
 class Pictures {
@@ -75,7 +76,8 @@ class Pictures {
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
   std::size_t body_of(const PlacedGear& placed) const { return graph_.gears[placed.gear].body; }
-  // Returns the distance that a rack moves along along_rack() while t runs from 0 to 1, mm.
+  // Returns the distance, mm, that a rack moves in the direction along_rack() while t runs from 0
+  // to 1.
   double travel_of(const PlacedGear& rack) const {
     return -ratio(body_of(rack)) * turns_ * drive_.rack_pitch(body_of(rack)).value_or(0.0);
   }

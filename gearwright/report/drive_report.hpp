@@ -1,6 +1,7 @@
-// Writes one HTML page about a whole drive. The page contains the verdict, the scheme, and sections
-// of the drive with the control that turns the gears and the phases of the planets. The power flow,
-// strength, load and planets follow, then each mesh as a pair of gears, the gears and the files.
+// Writes one HTML page about a whole drive. The page begins with the verdict, the scheme, sections
+// of the drive with a control that turns the gears, and the phases of the planets. After these
+// follow the power flow, the strength, the load, the planets, each mesh as a pair of gears, the
+// gears, and the files.
 //
 // The laws of report_html() hold for this page too.
 #pragma once

@@ -86,10 +86,10 @@ struct ShiftedTooth {
 /// undercut. For other gears, a picture does not help to choose the profile shift.
 bool shift_is_worth_a_picture(const Gear& gear);
 
-/// Returns the gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x and without
-/// the shifts that a spec does not permit, with the tip diameters that result from the rack. A
-/// `rounded` gear has the circular root fillet of the given gear, or by default a root fillet that
-/// begins at the undercut limit. It has the tip fillet of the given gear if this tip fillet fits.
+/// Returns the gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x. Shifts that a
+/// spec does not permit are omitted. The tip diameters result from the rack. A `rounded` gear has
+/// the circular root fillet of the given gear, or by default a root fillet that begins at the
+/// undercut limit. It has the tip fillet of the given gear if this tip fillet fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);

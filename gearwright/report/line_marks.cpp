@@ -35,8 +35,8 @@ std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
 }
 
 // Returns the side of a line on which the letter of the point p is drawn. In general, this side
-// faces away from the other line. If the distance of the lines is at most `touching`, the letters
-// of the leading line are above it, and the letters of the trailing line are below it.
+// faces away from the other line. If the distance between the lines is at most `touching`, the
+// letters of the leading line are above it, and the letters of the trailing line are below it.
 Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const Vec2& other_along,
                  double touching, bool leading) {
   const Vec2 across(-along.y(), along.x());

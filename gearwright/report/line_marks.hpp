@@ -49,7 +49,7 @@ void add_lines_of_action(Figure& figure, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);
 
-/// Explains the letters of the points and the line styles, for a caption (HTML).
+/// Returns an explanation of the letters and of the line styles, as HTML for a caption.
 std::string line_key();
 
 }  // namespace gearwright

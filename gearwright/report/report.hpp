@@ -63,7 +63,7 @@ struct ReportInput {
 
 /// Returns the page in UTF-8.
 ///
-///   Laws      (1) same input, same bytes
+///   Laws      (1) the same input gives the same bytes
 ///             (2) the page loads nothing; style, script and pictures are in it
 ///             (3) title, spec, findings and file names may contain any text
 /// Units     lengths in `units`, to 0.1 µm if in mm, angles in degrees to 0.00001°; missing values

@@ -156,7 +156,8 @@ std::string chart_section(const SearchReport& report) {
          "</section>\n";
 }
 
-// Returns the tolerances of the drawn designs. The result is empty if they have none.
+// Returns words for the dimensions that have tolerances in the designs. The words complete the
+// phrase "the tolerances of". The result is empty if no dimension has a tolerance.
 std::string toleranced(const SearchAllowances& allowances) {
   const bool teeth = !allowances.series.empty() ||
                      (allowances.backlash && (*allowances.backlash)[0] < (*allowances.backlash)[1]);
@@ -166,7 +167,8 @@ std::string toleranced(const SearchAllowances& allowances) {
   return distance ? "the centre distance" : "";
 }
 
-// Returns sentences about the load, the strength and the tolerances in the numbers of the designs.
+// Returns sentences that state whether the numbers of the designs include load, strength and
+// tolerances.
 std::string included(const SearchProblem& problem) {
   const std::string with = toleranced(problem.allowances);
   if (with.empty() && !problem.rating)

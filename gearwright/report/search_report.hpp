@@ -31,7 +31,7 @@ inline constexpr std::size_t kRegionPictures = 20;
 
 /// Returns the page in UTF-8.
 ///
-///   Laws      (1) same input, same bytes
+///   Laws      (1) the same input gives the same bytes
 ///             (2) the page loads nothing
 ///             (3) title, spec and reasons may contain any text
 ///             (4) without scripts, the page contains the table and all pictures

@@ -24,7 +24,8 @@ class TableBuilder {
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
   void row(const TextRow& text, const std::vector<std::string>& values);
-  /// Adds a row with a single value, which spans all columns. A note takes the last column.
+  /// Adds a row with a single value, which spans all columns. If there is a note, it takes the last
+  /// column, and the value spans the columns before it.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
   void common(const TextRow& text, const std::string& value,

@@ -51,7 +51,8 @@ class Copula {
 
   /// Converts u′ to u, for all coordinates of the tolerances in order.   Formula [T14.30], [T14.32]
   ///
-  /// Laws      (1) without correlations, or if all are 0, u = u′   (2) u is uniform if u′ is
+  /// Laws      (1) without correlations, or if all are 0, u = u′
+  ///           (2) u is uniform if u′ is uniform
   std::vector<double> correlated(std::vector<double> u) const;
 
  private:
@@ -64,7 +65,8 @@ class Copula {
   double score(std::span<const double> u, std::size_t coordinate) const;
 
   std::vector<Row> rows_;
-  // For each coordinate of a bore, the first coordinate of this bore, and none for all others.
+  // For each coordinate of a bore, the index of the first coordinate of this bore. None for any
+  // other coordinate.
   std::vector<std::optional<std::size_t>> disc_;
 };
 

@@ -23,8 +23,9 @@ class Loosener {
 
   double percent() const { return percent_; }
 
-  // Returns the percentile of the peak to peak if the coordinates of one tolerance are multiplied
-  // by a factor. Returns none if no teeth exist at an end of the resulting range.
+  // Returns the percentile of the peak to peak for which the coordinates of one tolerance are
+  // multiplied by `factor`. Returns none if the teeth are impossible at an end of the resulting
+  // range.
   std::optional<double> percentile(std::size_t tolerance, double factor) const {
     ScatterTask changed = task_;
     changed.tolerances[tolerance].unit *= factor;

@@ -5,8 +5,8 @@
 //                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
 // The verb `contact` gives the same numbers for the same errors, with two exceptions. It gives no
-// clearances and no long period. Its `peak_to_peak` covers only the computed positions, but here
-// the peak to peak is computed for the continuous curve.
+// clearances and no long period. Its `peak_to_peak` is that of the computed positions, while the
+// peak to peak here is that of the continuous curve.
 #pragma once
 
 #include <array>
@@ -53,7 +53,8 @@ struct MemberRequest {
   int positions = 32;  ///< per pitch
   bool gear2_drives = false;
   ProfileTarget profile{};
-  std::optional<double> stagger{};  ///< s of a double-helical pair; none for other pairs
+  std::optional<double> stagger{};  ///< stagger of the halves of a double-helical pair, in pitches;
+                                    ///< none for other pairs
 };
 
 /// The setup of a member. This is the nominal setup, unless the modifications of the member differ
@@ -92,8 +93,8 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve, rad, and its derivative with respect to each influence,
-/// rad per mm or rad.
+/// Peak to peak of the continuous curve, rad, and its derivatives with respect to the influences,
+/// in rad per mm or rad per rad.
 struct MemberSpan {
   std::optional<double> value;  ///< none if contact is lost
   std::vector<double> slope;

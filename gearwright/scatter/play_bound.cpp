@@ -60,8 +60,8 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-// Returns an upper bound of 2 · ½Λ|x|², rad, the second-order term of both flanks together, for all
-// members of the family. Returns none if the flanks can touch near a base circle.
+// Returns an upper bound, rad, of the second-order term 2 · ½Λ|x|² of both flanks together. It
+// applies to all members of the family. Returns none if the flanks can touch near a base circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const std::array<const Gear*, 2> gears = setup.gears();
   std::array<double, 2> r_b{};

@@ -22,9 +22,10 @@ namespace gearwright {
 /// convex hull of `corners` must contain all x.
 ///
 /// Formula   [T14.29]
-/// None      if there is no corner, if the play has no value at a corner, if the pair is internal,
-///           double-helical, on crossed axes or not involute, or if it has reliefs, topographies,
-///           waves or changed leads of cutters, or if the flanks can touch near a base circle
+/// None      if there is no corner; if the play has no value at a corner; if the pair is internal,
+///           double-helical, on crossed axes or not involute; if the flanks have reliefs,
+///           topographies or waves; if the lead of a cutter is changed; if flanks can touch near
+///           a base circle
 /// Laws      (1) no member within the ranges has less play
 std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterTask& task,
                                        const std::vector<std::vector<double>>& corners);

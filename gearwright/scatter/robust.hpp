@@ -51,9 +51,9 @@ struct RobustCorrections {
 ///
 /// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
 ///           0 < percent < 100 (contract)
-/// Errors    as scatter_of(); `scatter.robust`, if no sample has a peak to peak
-/// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
-///           derivatives; values are multiples of a hundredth of `step`
+/// Errors    as scatter_of(); `scatter.robust` if no sample has a peak to peak
+/// Accuracy  a local minimum, which is the best that a search of the whole box and descents with
+///           derivatives find; values are multiples of a hundredth of `step`
 /// Laws      (1) in the samples from the other seed, the corrections increase neither the
 ///           percentile nor the number of samples without f. Corrections that increase this number,
 ///           or that do not lower the percentile by more than kSameError, are replaced by 0

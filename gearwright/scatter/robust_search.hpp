@@ -1,6 +1,6 @@
-// Finds the corrections with the lowest percentile of a quantity over a family. A descent of the
-// mean of the worst samples, a search of the box, a second descent and a local search follow each
-// other.
+// Finds the corrections with the lowest percentile of a quantity over a family. The search consists
+// of a descent of the mean of the worst samples, a search of the box, a second descent, and a local
+// search of the percentile, in this order.
 //
 //   v     corrections                       f_k   the quantity of sample k, with the corrections v
 //   p     the percentile, as a fraction     CVaR  mean of the worst 1 − p of all f_k
@@ -27,8 +27,8 @@ class CorrectedFamily {
   double percentile(const std::vector<double>& v, double p) const;
 };
 
-/// Computes the slopes with respect to correction i by difference quotients, because it has no
-/// exact slopes.
+/// Sets the slopes with respect to correction i to difference quotients. This is necessary if the
+/// exact slopes with respect to this correction are not known.
 void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
                     const std::vector<double>& v, std::size_t i, const Correction& bounds);
 

@@ -132,7 +132,8 @@ struct Loosening {
   struct Change {
     /// Greatest factor for the width of the tolerance with which the percentile exceeds
     /// `percentile` by at most the fraction kLooser, or by kSameError if this is greater. None if
-    /// all factors up to kMostFactor with possible teeth meet this limit.
+    /// the percentile stays within this limit for all factors up to kMostFactor with which the
+    /// teeth are possible.
     std::optional<double> factor;
     double halved;  ///< rad, the percentile if this tolerance is halved
   };
@@ -173,9 +174,9 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 /// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
 
-/// Returns the point x inside the ranges of the tolerances with the greatest peak to peak. Returns
-/// none if this point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by
-/// less than 0.01″.
+/// Searches the ranges of the tolerances for the point x with the greatest peak to peak, and
+/// returns this point. Returns none if the point is a corner, if its peak to peak does not exceed
+/// `known` by more than 2 % and by more than 0.01″, or if the family cannot be computed.
 ///
 /// Formula   [T14.15]
 /// Domain    at least one tolerance (contract)

@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// Returns a statistic Y of all samples, with its standard error by [T14.9]. Y has less bias than
-// the values Y_r of the replicates, which have fewer samples.
+// Returns a statistic Y of all samples, with its standard error according to [T14.9]. Y has less
+// bias than the values Y_r of the replicates, which have fewer samples.
 Estimate pooled(double of_all, std::span<const double> of_replicates) {
   const auto r = static_cast<double>(of_replicates.size());
   if (r < 2.0) return {of_all, std::nullopt};

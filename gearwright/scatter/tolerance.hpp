@@ -1,8 +1,8 @@
 // Describes variations from pair to pair. A toleranced number, the position of a bore, pitches, or
 // form waves of the flanks can vary.
 //
-//   x   coordinates of a member of the family, one to three for each tolerance. Each is added to a
-//       value of the drawing, so x = 0 is the nominal pair
+//   x   coordinates of a member of the family, one to three for each tolerance. They describe the
+//       deviation from the drawing, and x = 0 is the nominal pair
 //                                    theory: docs/theory/14-scatter.md, [T14.12]
 #pragma once
 
@@ -150,8 +150,9 @@ struct GradedFlank {
 ///           evaluation range
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. ISO/TR 10064-3 gives them as lengths in
-/// proportion to the bearing span, so the angles do not depend on the span.
+/// Limits of the deviations of parallel axes according to ISO/TR 10064-3, rad. Each limit applies
+/// in both directions. ISO/TR 10064-3 gives the limits as lengths in proportion to the bearing
+/// span, so the angles do not depend on the span.
 ///
 /// Formula   [T14.23]
 struct GradedAxes {

@@ -51,8 +51,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // Returns the quantity to maximise, the peak to peak of the member at x or the negative of its
-  // least play. The result is minus infinity if the member has no such value.
+  // Returns the quantity to maximise. It is the peak-to-peak value of the member at x, or the
+  // negative of its least play. The result is minus infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const auto found = quantity_ == ScatterQuantity::peak_to_peak

@@ -11,10 +11,10 @@
 
 namespace gearwright {
 
-/// Returns the member with the greatest peak to peak, or with the least play. The search starts at
-/// the worst corners of the box and at the worst samples. Its steps have the directions of the
-/// coordinates and of the last improvement. The steps are halved if they give no improvement.
-/// Returns none if no member has a value.
+/// Returns the worst member that a search finds. This is the member with the greatest peak to peak
+/// or with the least play. The search starts at the worst corners of the box and at the worst
+/// samples. It steps along the coordinates and then along the sum of the successful steps. If no
+/// step gives an improvement, the steps are halved. Returns none if no member has a value.
 ///
 /// Accuracy  the worst local optimum that is found from several starts, which is not a bound.
 ///           For the least play, WorstMember::bound is a bound [T14.29]

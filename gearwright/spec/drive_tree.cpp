@@ -1,6 +1,5 @@
-// Reads and replaces the data of a drive that are in its spec but not in its graph. They are the
-// materials of the gears, the speed for [rating], and the table [drive] that replaces [planetary]
-// or [[stage]].
+// Functions for the tree of the spec of a drive. They read the materials of the gears, copy the
+// speed of the input to [rating], and replace [planetary] or [[stage]] by a table [drive].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,8 +33,8 @@ void visit_material(const Json& owner, const std::string& path,
   for (const std::string& gear : gears) visit(gear, key, node);
 }
 
-// Visits the materials of the members. If the members have materials of their own, visits each of
-// these materials. Otherwise, visits the common material.
+// Visits the material of each member of a set. `material` is either a table of materials by member,
+// or one material for all members.
 void visit_set(const Json& set, const std::string& path, const std::string& prefix,
                const MaterialVisit& visit) {
   if (!set.is_object() || !set.contains("material")) return;
@@ -95,7 +94,7 @@ void visit_materials(const Json& tree, const MaterialVisit& visit) {
     }
 }
 
-// Returns the table that contains the load of the drive, or null if there is no such table.
+// Returns the table that contains the speed of the input, or null if there is no such table.
 const Json* input_table(const Json& tree) {
   const auto table = [](const Json& owner, const char* key) -> const Json* {
     const auto it = owner.find(key);

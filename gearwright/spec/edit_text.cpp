@@ -22,8 +22,8 @@ namespace gearwright {
 
 namespace {
 
-// Sets the value at the path in the tree and makes missing tables. Null removes the value. The
-// result is false if a part of the path is not a table.
+// Sets the value at the path in the tree and makes missing tables. If the value is null, removes
+// the key. Returns false if a part of the path is not a table.
 bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value) {
   Json* node = &tree;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {

@@ -49,7 +49,8 @@ bool parallel(const Json& tree) {
   return !pair->contains("shaft_angle_deg") || number(*pair, "shaft_angle_deg") == 0.0;
 }
 
-// Copies helix angle and hand. Returns true if they were copied.
+// Copies the helix angle with the opposite hand or, for an internal gear, with the same hand. If
+// `to` gives a hand, this hand is kept. Returns true if the angle was copied.
 bool hand_on_helix(const Json& from, Json& to) {
   if (has_any(to, kHelices) || !has_any(from, kHelices)) return false;
   const bool ring = number(to, "teeth").value_or(0.0) < 0.0;
@@ -86,7 +87,8 @@ void hand_on(const Json& from, Json& to, const std::string& key) {
   }
 }
 
-// Returns the accuracy grade of a gear, which is either in the gear's table or in its tolerances.
+// Returns the accuracy grade of a gear, which is either in the table of the gear or in the table of
+// its tolerances. Returns null if there is no grade.
 const Json* quality_of(const Json& gear) {
   if (const auto own = gear.find("quality"); own != gear.end()) return &*own;
   const auto tolerance = gear.find("tolerance");
@@ -95,7 +97,7 @@ const Json* quality_of(const Json& gear) {
   return grade == tolerance->end() ? nullptr : &*grade;
 }
 
-// Copies the edition of the standard to which the accuracy grade belongs.
+// Copies the edition of the standard to which the accuracy grade belongs, if `to` gives no edition.
 void hand_on_edition(const Json& from, Json& to) {
   const auto tolerance = from.find("tolerance");
   if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;

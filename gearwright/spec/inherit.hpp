@@ -34,12 +34,12 @@ inline constexpr std::string_view kNotOfRack =
 /// is replaced by a table [material] with this name.
 Json with_named_materials(const Json& tree);
 
-/// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear 2 with
-/// `cut_by` or [basic] takes neither helix angle, module, pressure angle nor rack. The helix angle
-/// is not copied if the axes cross at a given angle or if gear 1 has [basic]. Face width, gap and
-/// stagger are not copied if the axes cross or if the spec has [fit]. A rack of arcs is not copied
-/// if it can cut only one gear of a pair. If gear 2 is unknown and gear 1 has no module, nothing is
-/// copied.
+/// Copies values from gear 1 to gear 2, if both tables give a number of teeth and gear 2 is not a
+/// rack. If gear 2 has `cut_by` or [basic], helix angle, module, pressure angle and rack are not
+/// copied. The helix angle is not copied if the axes cross at a given angle or if gear 1 has
+/// [basic]. Face width, gap and stagger are not copied if the axes cross at a given angle or if the
+/// spec has [fit]. A rack of arcs is not copied if it can cut only one gear of a pair. If gear 2 is
+/// unknown and gear 1 has no module, nothing is copied.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

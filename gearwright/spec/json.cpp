@@ -43,9 +43,9 @@ bool bare(const std::string& key) {
   });
 }
 
-// JSON's escapes are also valid in TOML, except for the surrogate pairs of characters beyond
-// U+FFFF. Only control characters, quotation marks and backslashes are therefore escaped, and all
-// other characters are written directly. DEL is also escaped, because TOML does not allow it.
+// Returns the text in quotes. The escapes of JSON are also valid in TOML, except for the surrogate
+// pairs of characters beyond U+FFFF. Therefore, only control characters, quotation marks and
+// backslashes are escaped. DEL is also escaped, because TOML does not allow it.
 std::string quoted(const std::string& text) {
   std::string out;
   for (const char c : Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))

@@ -1,9 +1,9 @@
 // Declares trees of specs and results. Members keep the order in which they were written.
 //
-// This header only declares the tree. The header nlohmann/json.hpp makes each compilation 1 s
-// longer, and code that reads or writes text makes it 2 s longer again. Headers include this file.
-// Sources that access members of a tree include nlohmann/json.hpp. The functions below read and
-// write text.
+// This header only declares the tree, because nlohmann/json.hpp makes each compilation 1 s longer,
+// and code that reads or writes text makes it another 2 s longer. Headers therefore include this
+// file, and only sources that access members of a tree include nlohmann/json.hpp. The functions
+// below read and write text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

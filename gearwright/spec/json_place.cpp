@@ -65,8 +65,8 @@ TextPlace place_at(std::string_view text, std::size_t at) {
   return place;
 }
 
-// Moves to the value of the member at the beginning of `path`. The result is false if there is no
-// such member.
+// Moves to the value of the member that is named at the beginning of `path`, and removes this name
+// from `path`. Sets `found` to the position of the key. Returns false if there is no such member.
 bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   walk.step();  // skips the brace
   while (walk.here() == '"') {
@@ -89,7 +89,9 @@ bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found
   return false;
 }
 
-// Moves to an element of a list. `path` begins with the number of the element, for example "[2]".
+// Moves to an element of a list. `path` begins with the number of the element, for example "[2]",
+// which is removed. Sets `found` to the position of the element. Returns false if there is no such
+// element.
 bool enter_list(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   const int wanted = std::atoi(path.data() + 1);
   walk.step();

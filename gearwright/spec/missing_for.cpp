@@ -40,8 +40,8 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
         "its bearings in [gear1.shaft] or [gear2.shaft], or give deflection_slope_um in [load], "
         "which is 0 for rigid shafts"));
   std::erase_if(missing, [&](const Error& e) {
-    // If other data of a gear are missing, its material was not read, even if the spec gives it.
-    // Such a material is not reported as missing.
+    // If other data of a gear are missing, the material of the gear was not read. If the spec gives
+    // this material, it must not be reported as missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
     return of_material && spec.given.contains(e.field);
   });
@@ -68,7 +68,8 @@ bool any_tolerance(const JobSpec& spec) {
          std::any_of(s.gears.begin(), s.gears.end(), of_gear);
 }
 
-// Gears with arcs or crossed axes cannot be rated. The rating itself reports the reason.
+// False for circular-arc gears and for crossed axes. For such gears, no missing inputs of a rating
+// are reported, because the rating rejects them with the reason.
 bool can_be_rated(const JobSpec& spec) {
   const bool crossed = spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0;
   return !crossed && std::none_of(spec.gears.begin(), spec.gears.end(), [](const auto& gear) {

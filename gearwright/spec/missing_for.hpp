@@ -26,9 +26,9 @@ enum class SpecUse {
 };
 
 /// Returns all inputs that a spec lacks. Each error names the key in the file and gives an example.
-/// The inputs include a second gear, a torque and a tolerance for scatter. For a rating, they
-/// include its load, the materials of the gears and the inputs of its factors. A wrong material is
-/// also reported. The list is empty for a search, an unknown gear, a drive and a rack.
+/// The inputs are a second gear, a torque, a tolerance for scatter and, for a rating, its load, the
+/// materials of the gears and the inputs of its factors. A wrong material is also reported. The
+/// list is empty for a search, an unknown gear, a drive and a rack.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
 /// Returns the missing inputs as one error, or nothing if no input is missing.
@@ -40,8 +40,9 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables, int halves = 1);
 
-/// Returns the table that contains the material of a gear. It is the gear's own table, the table of
-/// gear 1, or [rating.material]. If none of these tables exists, it is the table in which the user
+/// Returns the name of the table that contains the material of a gear. It is the first of these
+/// tables that the spec gives: the material of the gear itself, the material of gear 1, and
+/// [rating.material]. If the spec gives none of them, it is the table of gear 1, in which the user
 /// should give the material.
 std::string material_table(const JobSpec& spec, int which);
 

@@ -25,9 +25,9 @@ struct SpecTree {
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
 
-/// Returns the position of a key in a valid JSON text. If the key does not exist, the result is the
-/// position of the last table or element on the path that does exist. There is no result if the
-/// first part of the path does not exist.
+/// Returns the position of a key in a valid JSON text. If the key does not exist, returns the
+/// position of the last table or element on the path that does exist. Returns none if the first
+/// part of the path does not exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
 
 /// Checks a tree before its keys are read. The tree must be a table with bounded nesting.

@@ -20,8 +20,8 @@ namespace gearwright {
 /// True if the spec has [planetary], [[stage]] or [drive].
 bool is_drive(const Json& tree);
 
-/// Returns the graph of the drive and, for a train, its stages. [planetary] and [[stage]], the
-/// short forms, are expanded to a graph.
+/// Returns the graph of the drive and, for a train, its stages. The short forms [planetary] and
+/// [[stage]] are expanded to a graph.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
 /// Returns the materials of a drive or of a search for drives, by the names of the gears. A gear
@@ -29,8 +29,8 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 /// gives one.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Sets an absent speed of [rating] to the magnitude of the speed of the first input, because
-/// without a speed neither a life nor a power can be computed.
+/// If [rating] gives no speed, sets it to the magnitude of the speed of the first input. Without a
+/// speed, neither a life nor a power can be computed.
 void lend_speed(Json& tree);
 
 /// K_γ of the meshes of a drive, as [rating] gives it.
@@ -61,7 +61,7 @@ void refuse_in_drive(const Json& node, const std::string& path);
 void need_whole_face(const GearInput& gear, const std::string& path);
 
 /// If the table `t` gives the length of a rack, sets the number of whole teeth that fit into this
-/// length. If the transverse pitch is not known, the argument for the pitch is none.
+/// length. `pitch` is the transverse pitch in mm. Without a pitch, a given length is an error.
 void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar);
 
 /// Returns the graph of the table [drive]. File names of its gears are relative to `folder`.

@@ -51,7 +51,7 @@ std::vector<std::string> add_bodies(const GraphInput& in, DriveGraph& graph) {
   return names;
 }
 
-// Reads the dimensions of the rack body. The data of the teeth are in the table of the pinion.
+// Reads the dimensions of a rack. The data of its teeth are in the table of the pinion.
 RackBar read_bar(const Json& node, const std::string& path) {
   Json own = Json::object();
   for (const auto& [key, value] : node.items())

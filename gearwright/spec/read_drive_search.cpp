@@ -26,7 +26,8 @@ void check_members(const TableReader& t, const DriveSearchProblem& p) {
   }
 }
 
-// Rejects keys and tables of numbers that this kind of drive does not have.
+// Rejects keys that this kind of drive does not have. For a train, also rejects tables of numbers
+// by member, because a train needs one number for all stages.
 void check_kind(TableReader& t, const Json& search, bool train) {
   if (!train) {
     for (const char* key : {"stages", "pinion_teeth", "wheel_teeth", "center_distance_mm"})

@@ -143,8 +143,8 @@ void refuse_involute_keys(TableReader& gear) {
               why + "; the positions of the arc centres determine the depth of the cutter");
 }
 
-// Returns the table that the word `kind` selects among the possible tables of a key. Without `kind`
-// it is the first table.
+// Returns the one of the possible tables of a key that the word `kind` in `node` selects. Without
+// `kind`, returns the first table.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
@@ -159,7 +159,8 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
 }
 
 // Returns the table of a cutter. The module and the angles that it omits are taken from the gear
-// or, if the gear does not give them either, from the mating gear.
+// or, if the gear does not give them either, from the mating gear. The helix angle of the gear is
+// copied with the opposite hand or, for an internal gear, with the same hand.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {

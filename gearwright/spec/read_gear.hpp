@@ -20,17 +20,18 @@
 
 namespace gearwright {
 
-/// `keys` are gear_keys() or cutter_keys(), and `path` is the name of the table, for example
-/// "gear1". `mate` is the table of the other gear. It supplies the module and the angles if the
-/// table of a separate cutter omits them. File names are relative to `folder`.
+/// Reads the table of a gear. `keys` are gear_keys(), cutter_keys(), or the keys of a gear of a
+/// drive. `path` is the name of the table, for example "gear1". `mate` is the table of the other
+/// gear, or null. If the table of a separate cutter and the table of the gear omit the module or
+/// the angles, they are taken from `mate`. File names are relative to `folder`.
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
 /// Reads a rack, which must have straight flanks.
 StraightRack read_straight_rack(TableReader& gear);
 
-/// Returns the normal pressure angle. If the gear names an AGMA rack, it is the angle of this rack.
-/// Otherwise, it is `given`.
+/// Returns the normal pressure angle. If the gear names an AGMA rack, the result is the angle of
+/// this rack, and a different angle `given` is an error. Otherwise, the result is `given`.
 std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given);
 
 // Functions that read [gearN.measured] and the other data that are known about a gear.
@@ -50,8 +51,8 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 points
 
 /// Returns the modifications of the right and the left flank. Without [gearN.modifications], they
-/// remove nothing. The conditions on the finished gear are not checked here but in
-/// make_removal_field().
+/// remove nothing. Conditions that depend on the finished gear are checked in make_removal_field()
+/// and not here.
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,

@@ -23,9 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Least distance of two neighbouring lines of a grid, relative to the range of all lines. Two
-// closer lines count as one line that was measured twice, because a spline would turn the noise
-// between them into a slope.
+// Least distance of two neighbouring lines of a grid, relative to the range of all lines. Closer
+// lines are rejected. They are probably one line that was measured twice, and a spline would turn
+// the noise between them into a slope.
 constexpr double kMinStep = 1e-4;
 
 std::string_view trimmed(std::string_view s) {

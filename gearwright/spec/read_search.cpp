@@ -93,9 +93,8 @@ double count_of_overlaps(const SearchProblem& p, std::size_t ratios) {
   return count * static_cast<double>(ratios);
 }
 
-// Reads the overlap ratios, which are whole numbers. The helix angles follow from the overlap
-// ratios.
-// `of_gear` is true if [gear1] has a helix angle that the search does not replace.
+// Reads the overlap ratios, which are whole numbers, and computes the helix angles from them.
+// `of_gear` is true if [gear1] has a helix angle that [search] does not replace.
 void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
   const char* const key = "overlap_ratio";
   const auto ratios = t.numbers(key);
@@ -190,7 +189,7 @@ void check_objectives(const TableReader& t, const SearchProblem& p) {
   }
 }
 
-// The keys of a [gearN] that a user may give for a search. The search computes all other values.
+// The values of a [gearN] that a search reads. The search determines all other values.
 struct Blank {
   std::optional<Angle> alpha;
   std::optional<double> helix_deg, face_mm;

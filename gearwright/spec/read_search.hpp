@@ -58,11 +58,13 @@ void read_search_rating(const Json& tree, JobSpec& spec);
 inline constexpr const char* kUsualSeries = "cd25";
 
 /// Sets up a search so that each design is judged as on a drawing, with tolerances of the tooth
-/// thickness and of the centre distance. Four kinds of searches judge nominal gears instead. These
-/// are searches on crossed axes, searches on a grid of profile shifts, and searches that also list
-/// designs with interference. The fourth kind has the key `mounting` but no key of tolerances, and
-/// does not choose face widths. `search` is the table [search]. read_search_rating() must be called
-/// before.
+/// thickness and of the centre distance. Designs have nominal teeth and are not drawn in four kinds
+/// of searches:
+///   (1) searches on crossed axes
+///   (2) searches on a grid of profile shifts
+///   (3) searches that also list designs with interference
+///   (4) searches with the key `mounting`, without tolerances and without a band of face widths
+/// `search` is the table [search]. read_search_rating() must be called before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a [search] for drives, which is a table [search] with the key `kind`.

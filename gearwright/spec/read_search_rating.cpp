@@ -15,8 +15,8 @@ namespace gearwright {
 namespace {
 
 // Returns the materials in the tables of the gears, even if these tables contain no teeth. If gear
-// 2 has no material, it takes the material of gear 1. If neither has one, both take that of
-// [rating].
+// 2 has no material, it has the material of gear 1. A gear without a material of its own or of gear
+// 1 has the material of [rating].
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -52,9 +52,8 @@ constexpr const char* kNeedsRating =
     "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
     "power_kW), speed_rpm = 1500 and quality = 6, and [gear1.material] with name = \"16MnCr5\"";
 
-// Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and
-// twists too much, so that only a part of its face carries load. Narrower gears are rare in
-// reducers.
+// Usual face widths, as multiples of the reference diameter of the pinion. A wider pinion bends and
+// twists so much that only a part of its face carries load. Narrower gears are rare in reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
 // Returns the first of the keys that is in the table.
@@ -199,9 +198,8 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  // The designs have nominal teeth, as in the theory, if `mounting` is given, no face widths are
-  // chosen and no key of tolerances is given. The value thickness_series = "none" also counts as a
-  // key of tolerances.
+  // The designs have nominal teeth if `mounting` is given without tolerances and without a band of
+  // face widths. The value thickness_series = "none" also counts as a tolerance here.
   const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.has_face_band();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;

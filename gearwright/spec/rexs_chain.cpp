@@ -52,7 +52,7 @@ class Chain {
  private:
   using Place = std::pair<std::size_t, std::size_t>;  // indices of a link and of its terminal
 
-  // The unused link that this shaft drives.
+  // Returns an unused link with a terminal that meets this shaft, or none.
   std::optional<Place> on(const RexsTerminal& shaft) const {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (used_.count(k) > 0) continue;
@@ -71,7 +71,7 @@ class Chain {
 
   std::optional<Place> start() const {
     std::optional<Place> first;
-    bool inside = false;  // true if a shaft between two links has the torque or the speed
+    bool inside = false;  // true if a torque or a speed is given for a shaft between two links
     for (const Component* shaft : model_.of_type("shaft"))
       for (std::size_t k = 0; k < links_.size(); ++k)
         for (std::size_t t = 0; t < links_[k].terminals.size(); ++t) {

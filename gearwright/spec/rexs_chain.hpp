@@ -26,18 +26,19 @@ struct RexsLink {
   std::vector<std::string> fixed;  ///< held bodies of a set, set by rexs_chain()
 };
 
-/// The links of a model. A cylindrical stage belongs to the planetary stage on whose planet shafts
-/// one of its gears is. If the model has one planetary stage and no planet shafts, all stages belong
-/// to the planetary stage.
+/// The links of a model. If one gear of a cylindrical stage is on a planet shaft, the cylindrical
+/// stage belongs to the planetary stage of this shaft. If the model has one planetary stage and no
+/// planet shafts, all cylindrical stages belong to the planetary stage.
 ///
 /// Errors    those of set_of_rexs()
 Result<std::vector<RexsLink>> rexs_links(const RexsModel& model,
                                          const std::vector<RexsStage>& stages);
 
-/// The links in their order from input to output. The chain starts at a shaft with a given torque or
-/// speed. Without such a shaft, it starts at the first shaft with a single link. The output of a set
-/// is the body that drives the next link or has a load. If no body of a set is connected to the
-/// casing, its remaining body is held.
+/// The links in their order from input to output. The chain starts at a shaft with a given torque
+/// or speed. Without such a shaft, it starts at the first shaft with a single link. If this link is
+/// a planetary set, the shaft must be that of the sun. The output of a set is the body that drives
+/// the next link or has a load. If no body of a set is connected to the casing, the body that is
+/// neither input nor output is held.
 ///
 /// Errors    links that form no chain; a chain that is driven by a shaft between two links; a set
 ///           without a single output

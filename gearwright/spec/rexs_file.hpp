@@ -52,8 +52,9 @@ struct RexsModel {
   /// Returns the component with this id, or null if there is none.
   const RexsComponent* find(std::string_view id) const;
   std::vector<const RexsComponent*> of_type(std::string_view type) const;
-  /// Returns the first component with one of `types` that shares a relation with the component
-  /// `id`, or null if there is none. The type of the relation is one of `relations`.
+  /// Returns the first component whose type is one of `types` and that shares a relation with the
+  /// component `id`. The type of the relation must be one of `relations`. Returns null if there is
+  /// no such component.
   const RexsComponent* related(std::string_view id,
                                std::initializer_list<std::string_view> relations,
                                std::initializer_list<std::string_view> types) const;
@@ -75,7 +76,7 @@ bool is_rexs(const std::filesystem::path& path);
 /// Returns the model as the bytes of a file with this name. Reading the file gives exactly the
 /// doubles of the model.
 ///
-/// Domain    ids that are whole numbers, and attributes that are numbers or flags (contract)
+/// Domain    ids that are whole numbers, and attributes that are numbers or flags
 std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path);
 
 // Converts a REXS model to a spec. One cylindrical stage becomes a pair, a planetary stage becomes

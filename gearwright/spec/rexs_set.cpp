@@ -53,8 +53,8 @@ class SetFinder {
     return list;
   }
 
-  // True for a gear on the shaft of a planet. If the file names no such shafts, a planet is an
-  // external gear that meshes with a ring.
+  // True if the gear is a planet, that is, if it is on a planet shaft. If the file names no planet
+  // shafts, every external gear that meshes with a ring is a planet.
   bool rides(const Component& gear) const {
     const auto is_ring = [](const Component* g) { return g->type == "ring_gear"; };
     if (std::any_of(model_.relations.begin(), model_.relations.end(),
@@ -222,7 +222,7 @@ class SetFinder {
       std::sort(ends->begin(), ends->end(),
                 [](const RexsEnd& a, const RexsEnd& b) { return a.load < b.load; });
     // If only the speed of a body is defined, this body can be an input or the output. It is the
-    // output if another body is an input and no other body is the output.
+    // output if the torque of another body is defined and no other body is the output.
     if (following.empty() && !defining.empty()) std::swap(following, speed_only);
     std::copy(speed_only.begin(), speed_only.end(), std::back_inserter(defining));
     if (following.size() > 1)

@@ -1,11 +1,11 @@
 // Finds the planetary set of a REXS model. The set has the gears, each as a member of [planetary],
 // the held bodies, the inputs and the output. Internal to spec/.
 //
-// A held body is connected to the casing by a coupling. A body with a load is an input if the load
-// defines a torque or the shaft defines a speed. Any other body with a load is the output. If there
-// is no such body, but a load defines a torque, a body for which only the speed is defined is the
-// output instead of an input. If no body is connected to the casing and two of three central bodies
-// have a load, the third is held.
+// A body that a coupling connects to the casing is held. A body with a load is an input if the load
+// defines a torque or if the shaft defines a speed. Any other body with a load is the output. If
+// there is no such other body and a load of one body defines a torque, a body for which only the
+// speed is defined is the output instead of an input. If no body is connected to the casing and two
+// of three bodies have a load, the third body is held.
 #pragma once
 
 #include <array>
@@ -52,7 +52,8 @@ struct RexsSet {
   std::string output;                             ///< empty if the file does not state it
 };
 
-/// The shafts and the casing that turn together with this shaft, because couplings connect them.
+/// The ids of this shaft and of the shafts that turn together with it, because couplings connect
+/// them. If a coupling connects one of them to the casing, the id of the casing is included.
 std::set<std::string> rexs_coupled(const RexsModel& model, const std::string& shaft);
 
 /// The load on this shaft that defines a torque, or null.

@@ -84,8 +84,8 @@ class Reader {
     return flank ? flank->number("addendum_modification_coefficient") : std::nullopt;
   }
 
-  // Returns the rack of a tool. The radius of the tip corners is read under its name in version 2.0
-  // and under its older name.
+  // Returns the rack of a tool. The radius of the tip corners is read from the attribute of version
+  // 2.0 or, if that is absent, from the older attribute.
   static Json rack_of(const Component& tool) {
     Json rack = Json::object();
     const bool hob = tool.type == "rack_shaped_tool";
@@ -194,7 +194,8 @@ class Reader {
     return spec;
   }
 
-  // Adds the torque and the speed of gear 1. Torque and speed of gear 2 are converted by the ratio.
+  // Adds the torque and the speed of gear 1. If only torque or speed of gear 2 is defined, the
+  // value is converted by the ratio.
   void add_pair_load(Json& spec, const RexsStage& s) const {
     const double ratio =
         std::abs(static_cast<double>(rexs_teeth(*s.gears[1])) / rexs_teeth(*s.gears[0]));
@@ -212,7 +213,7 @@ class Reader {
     }
   }
 
-  // The chain of stages along their common shafts.
+  // Returns the spec of several stages, which are listed in the order of rexs_chain().
   Result<Json> train(std::vector<RexsLink> links) {
     auto chain = rexs_chain(model_, std::move(links));
     if (!chain) return chain.error();
@@ -260,7 +261,7 @@ class Reader {
     return spec;
   }
 
-  // The table of a set without its held bodies, its inputs and its output.
+  // Returns the table [planetary] of a set, without the held bodies, the inputs and the output.
   Result<Json> set_table(const RexsSet& found) {
     Json set = Json::object();
     std::vector<std::pair<std::string, const Component*>> members;

@@ -36,7 +36,8 @@ bool says_thickness(const Json& tolerance) {
          tolerance.contains("over_balls_mm");
 }
 
-// Rejects a backlash together with thickness allowances, because either determines the other.
+// Rejects a backlash that is given together with the tooth thickness, because each of them
+// determines the other.
 void check_backlash(const Json& tree, const JobSpec& spec) {
   if (!spec.pair.wants_backlash()) return;
   const PairInput& p = spec.pair;
@@ -80,8 +81,8 @@ class Lacks {
       }
     }
   }
-  /// Omits the second input if the first is also missing, because the second follows from the
-  /// first.
+  /// If the first input is missing, the second input is not reported, because it has a default when
+  /// the first is given.
   void shared(const std::string& first, const std::string& second) {
     if (!has(first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -106,8 +107,8 @@ class Lacks {
   std::vector<SpecError> caught_;
 };
 
-// Returns the error of a missing module of gear 1. It names the module that fits the centre
-// distance, or the readings from which the module can be computed.
+// Returns the error of a missing module of gear 1. The error names the module that fits the centre
+// distance. Without a centre distance, it names the readings from which the module can be computed.
 Error missing_module(const Json& tree) {
   const auto number = [&](const char* table, const char* key) {
     const Json& of = tree.value(table, Json::object());
@@ -134,8 +135,8 @@ Error missing_module(const Json& tree) {
                   fmt::join(gear_keys().ways("normal_module_mm"), ", "), hint));
 }
 
-// Copies the material of [rating] to gears without their own material, and the accuracy grades of
-// the gears to a [rating] without grades.
+// Copies the material of [rating] to each gear that has no material of its own. If [rating] has no
+// accuracy grades, copies the grades of the gears to [rating].
 void share_with_rating(const Json& tree, JobSpec& spec) {
   RatingTable& rating = spec.rating;
   auto& [one, two] = spec.gears;
@@ -184,7 +185,8 @@ void share_shafts(const Json& tree, JobSpec& spec) {
   if (shafts.any()) spec.rating.input.shafts = shafts;
 }
 
-// Rejects K_Hβ = "computed" for all specs that do not rate the pair [gear1] and [gear2].
+// Rejects K_Hβ = "computed" for specs whose rating cannot compute it: searches, drives and
+// double-helical gears.
 void refuse_computed_face_load(const Json& tree, const JobSpec& spec) {
   if (!spec.rating.input.face_load_computed) return;
   const auto refuse = [](const char* why) {
@@ -250,7 +252,8 @@ RackBar read_rack_bar(const Json& rack, const Json& tree, const std::optional<Ge
   return bar;
 }
 
-// Rejects a double-helical gear in a spec for a search, a fit, an identification or a rack.
+// Rejects a double-helical gear if the spec has a search or a fit, if the gear is unknown, or if
+// the gear is the pinion of a rack.
 void refuse_halves(const Json* gear, const std::string& path, const Json& tree) {
   if (!gear || !gear->contains("double_helical")) return;
   TableReader t(gear_keys(), *gear, path);

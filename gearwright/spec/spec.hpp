@@ -29,8 +29,8 @@ struct SpecTree;         // spec/parse_spec.hpp
 
 struct JobSpec : SpecTables {
   std::string text;  ///< the text of the spec, for the report; JSON text if it was read from a tree
-  /// The spec as a tree of tables, with the values that gear 2 takes from gear 1. It is null if the
-  /// spec was not read.
+  /// The spec as a tree of tables, with the values that are copied from gear 1 to gear 2. Null if
+  /// the spec was not read.
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
@@ -44,8 +44,8 @@ struct JobSpec : SpecTables {
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
-/// `folder` is empty. All inputs that are missing, for every spec or for this `use`, are reported
-/// as one error.
+/// `folder` is empty. All missing inputs are reported as one error. They are the inputs that every
+/// spec needs and the inputs that this `use` needs.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the

@@ -37,8 +37,8 @@ Error too_deep() {
   return syntax_error(fmt::format("the spec has tables nested more than {} levels deep", kDeepest));
 }
 
-// Appends a member to an object without a check for duplicates, which would take quadratic time. In
-// both parsers every key occurs only once.
+// Appends a member to an object. A check for duplicates would take quadratic time. It is not
+// needed, because both parsers reject a key that occurs twice.
 Json& put(Json& object, std::string key, Json value) {
   return object.get_ref<Json::object_t&>().emplace_back(std::move(key), std::move(value)).second;
 }
@@ -131,8 +131,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// Returns the first line with too many dots outside quotes. The TOML parser recurses for each part
-// of a dotted name, so the number of parts is limited before parsing.
+// Returns the number of the first line with too many dots outside quotes, or none. The TOML parser
+// recurses for each part of a dotted name, so the number of parts is limited before parsing.
 std::optional<int> deep_line(std::string_view text) {
   int line = 1;
   int dots = 0;

@@ -35,9 +35,10 @@ struct TextPlace {
   int line = 1, column = 1;
 };
 
-/// Returns the position of a key, for example "gear1.rack.arcs[2].radius", or of its table if the
-/// key is absent. There is no position if the table is absent too. An empty key gives the position
-/// of a syntax error of TOML. For any other key, read_spec must be able to parse the text.
+/// Returns the position of a key, for example "gear1.rack.arcs[2].radius". If the key is absent,
+/// returns the position of the last table on its path that the text contains, or none if there is
+/// no such table. If the text is TOML with a syntax error, returns the position of this error for
+/// every key, even for an empty one. A text in JSON must be valid.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 // Sets one key of a spec's TOML text. Comments, order and blanks remain unchanged, unless the key

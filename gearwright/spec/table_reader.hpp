@@ -64,15 +64,17 @@ class TableReader {
   /// value of the key, for example "sun" in bore_mm = { sun = 200 }. `part` is empty if the value
   /// is a single number.
   double checked(const std::string& key, const Json& value, const std::string& part = "") const;
-  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelling.
+  /// Fails if a required key is absent. If the table also contains an unknown key, the error is
+  /// about the unknown key, because this key may be the misspelled required key.
   void require_all() const;
-  /// Records that the key and its aliases are missing, so that finish() fails.
+  /// Records that neither the key nor one of its aliases is given, so that finish() fails. `what`
+  /// is the name of the quantity for the error.
   void lacks_one_of(const std::string& key, const std::string& what);
   /// Rejects a key that is not allowed here, with the reason.
   void refuse(const std::string& key, const std::string& why);
-  /// Fails if a key is unknown, if a required key is missing, or if two keys exclude each other. A
-  /// key may be required always or by another key. The error for an unknown key names the nearest
-  /// known key.
+  /// Fails if a key is unknown, if a required key is missing, if a key lacks another key that it
+  /// needs, or if two keys exclude each other. The error for an unknown key names the nearest known
+  /// key.
   void finish() const;
   void refuse_unknown() const;  ///< checks only for an unknown key
 

@@ -14,7 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// Returns the rule of a value that must be a number. A number in quotes is a text.
+// Returns the rule for a value that must be a number but is not. If the value is a number in
+// quotes, the rule states that quotes are not allowed.
 std::string number_rule(const Json& value) {
   const std::string text = value.is_string() ? value.get<std::string>() : std::string();
   char* end = nullptr;

@@ -73,8 +73,8 @@ class SpecInMm {
  public:
   explicit SpecInMm(GivenKeys& given) : given_(given) {}
 
-  // `path` is the path in the catalogue, and `written` is the path in the file. `unit` is the unit
-  // of the table's own key.
+  // Converts a table to mm. `path` is its path with the keys of the catalogue, and `written` is its
+  // path in the file. `unit` is the unit that the key of the table names, or null.
   Json table(const Json& from, const std::string& path, const std::string& written,
              const KeyUnit* unit) {
     Json::object_t to;
@@ -154,8 +154,8 @@ Json sentences_in_inch(const Json& value) {
   return list;
 }
 
-// The kind of a tree. It is a part of a result, a spec, a table whose keys are names that the user
-// chose, or a table of kShares. Some keys of a spec are also names that the user chose.
+// The kind of a tree: a part of a result (record), a spec, a table of kByName, or a table of
+// kShares. Keys of a spec that are not in the catalogue are names that the user chose.
 enum class Tree { record, spec, by_name, shares };
 
 // Tables of a result whose keys are names that the user chose.
@@ -165,8 +165,9 @@ constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
 // variance.
 constexpr std::array<std::string_view, 1> kShares{"indices"};
 
-// `unit` is the unit of the nearest outer key that has a unit. If the value of an outer key is a
-// table of values per length, `per` is the unit of this length.
+// Returns the value with its keys and its numbers in inch. `unit` is the unit of the nearest outer
+// key that has a unit, or null. If the value of an outer key is a table of values per length, `per`
+// is the unit of this length.
 Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* per) {
   if (value.is_number() && (unit || per)) {
     double x = value.get<double>();

@@ -99,7 +99,8 @@ std::string host_in_names() {
   return host;
 }
 
-// `owner` is HOST.PID. A process of another host counts as alive, because it cannot be checked.
+// True if the process that wrote a file has ended. `owner` is HOST.PID. The result is false for a
+// process of another host, because its state cannot be determined.
 bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;

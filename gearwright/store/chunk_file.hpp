@@ -46,7 +46,8 @@ struct ChunkRead {
 
 class ChunkFolder {
  public:
-  enum class Depth { header, payload };  ///< header: the content of the payload is not read
+  /// The part of a file that is read and checked: only the header, or also the payload.
+  enum class Depth { header, payload };
 
   /// `stamp` distinguishes the chunks of different campaigns.
   ChunkFolder(std::filesystem::path folder, std::uint32_t stamp);

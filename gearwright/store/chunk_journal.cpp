@@ -76,9 +76,9 @@ ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>&
   // A rollback journal is used, because the write-ahead log needs memory shared by all writers,
   // which cluster nodes do not have.
   run("PRAGMA journal_mode = DELETE");
-  // With synchronous writes, each row would wait three times until the chunks of all threads are on
-  // the disk. The journal contains only data that the chunk files also contain, so it need not
-  // survive a power failure.
+  // Writes are not synchronous, because each row would otherwise wait three times until the chunks
+  // of all threads are on the disk. The journal need not survive a power failure, because the chunk
+  // files contain the same data.
   run("PRAGMA synchronous = OFF");
 }
 
@@ -133,7 +133,8 @@ void ChunkJournal::run(const std::string& sql) {
 }
 
 ChunkJournal::Transaction::Transaction(ChunkJournal& journal) : journal_(journal) {
-  // IMMEDIATE is needed, because two readers that become writers would block each other.
+  // IMMEDIATE takes the write lock at once. Otherwise, two transactions that begin as readers and
+  // then write would block each other.
   journal_.run("BEGIN IMMEDIATE");
 }
 

@@ -1,6 +1,6 @@
 // Reads and writes the journal of a campaign, which is an SQLite database. A campaign is a search
-// that is divided into chunks. Users and the progress output read the journal, and the locks of the
-// journal coordinate the writers.
+// that is divided into chunks. The journal is read by users and by the progress output, and its
+// locks coordinate the processes that write.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)

@@ -38,7 +38,7 @@ Record record_of(const Campaign& campaign, const std::vector<std::string>& rejec
           {"counts", names}};
 }
 
-// Returns all properties in which two campaigns may differ, as lines of the form "key = value".
+// Returns all properties that distinguish one campaign from another, as lines "key = value".
 std::string text_of(Record record) {
   return record["fingerprint"] + "\nchunks = " + record["chunks"] +
          "\ncounts = " + record["counts"] + "\n";
@@ -223,10 +223,11 @@ void ChunkStore::Impl::add(std::int64_t chunk, const ChunkCounts& counts) {
   for (std::size_t k = 0; k < constraints; ++k) sum.rejected[k] += counts.rejected[k];
 }
 
-// Checks every file and makes the journal agree with the files.
+// Checks every chunk file. Adds rows to the journal for files without a row, and removes the rows
+// of chunks without a file.
 void ChunkStore::Impl::square_accounts() {
-  // A file is written before its row, and the rows are read before the files. Therefore, a row
-  // without a file shows that the file was lost.
+  // A process writes the file before the row, and this function reads the rows before the files.
+  // Therefore, a row without a file shows that the file was lost.
   const std::set<std::int64_t> rows = journal.chunks();
   std::set<std::int64_t> lost = rows;
   std::vector<ChunkRow> without_row;

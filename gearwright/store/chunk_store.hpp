@@ -6,14 +6,18 @@
 //   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
 //
-// The chunk files are authoritative, and no result depends on the journal. The journal serves users
-// and the progress output, and it coordinates processes. A file is renamed to its final name before
-// its row is written. A process that is killed therefore loses only its current chunk. The next
-// process that opens the folder writes the missing rows. Shards, ranks and nodes on one file system
-// may work in one folder at the same time. The journal and SQLite's locks coordinate them. The file
-// system must support these locks (Lustre must be mounted with flock). Nothing is synced to the
-// disk. After a power failure, a chunk file may be too short, which its checksum detects. The
-// journal may also be broken, but it can be moved away without loss.
+// The chunk files are authoritative, and no result depends on the journal. The journal is read by
+// users and by the progress output, and it coordinates the processes. A file is renamed to its
+// final name before its row is written to the journal. A process that is killed therefore loses
+// only its current chunk. The next process that opens the folder writes the missing rows.
+//
+// Shards, ranks and nodes on one file system may work in one folder at the same time, because the
+// locks that SQLite sets on the journal coordinate them. The file system must support these locks
+// (Lustre must be mounted with flock).
+//
+// Nothing is synced to the disk. After a power failure, a chunk file may be too short, which its
+// header and its checksum show. The journal may also be broken, but it can be moved away without
+// loss.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +51,8 @@ struct ChunkCounts {
 };
 
 enum class OpenAs {
-  fresh,   ///< starts a campaign; rejected if another exists, or this one with finished chunks
+  fresh,   ///< starts a campaign; rejected if the folder contains another campaign, or finished
+           ///< chunks of this campaign
   resume,  ///< continues an existing campaign
   join     ///< starts or continues a campaign, for shards and ranks that start at the same moment
 };
@@ -58,14 +63,14 @@ enum class OpenAs {
 ///           or if SQLite fails (with its message and the path of the journal)
 class ChunkStore {
  public:
-  /// Opens `folder` and checks every chunk file of the campaign against its checksum. A broken
-  /// file, or one of another campaign, is renamed, reported by notes() and counts as missing. A
-  /// temporary file is removed if it was written by a process of this host that is now dead, or if
-  /// it is older than a day. `writer` is the name of this process in the rows of the journal.
+  /// Opens `folder` and checks every chunk file of the campaign against its checksum. A file that
+  /// is broken or belongs to another campaign is renamed. It then counts as missing, and notes()
+  /// reports it. A temporary file is removed if the process of this host that wrote it is dead, or
+  /// if it is older than a day. `writer` is the name of this process in the rows of the journal.
   ///
-  /// Errors    key "--out" if another search or a finished chunk exists and `as` is fresh, if no
-  ///           search exists and `as` is resume, or if fingerprint, number of chunks or list of
-  ///           names differ; the message contains the first lines that differ
+  /// Errors    with the field "--out": the folder contains another search or a finished chunk, and
+  ///           `as` is fresh; the folder contains no search, and `as` is resume; the fingerprint,
+  ///           the number of chunks or the list of names differs (with the first lines that differ)
   static Result<ChunkStore> open(const std::filesystem::path& folder, const Campaign& campaign,
                                  const std::vector<std::string>& rejected_names, OpenAs as,
                                  std::string writer);
@@ -81,9 +86,8 @@ class ChunkStore {
   /// Returns the unfinished chunks, ascending.
   std::vector<std::int64_t> missing() const;
 
-  /// Saves a finished chunk, either whole or not at all. An existing chunk is overwritten.
-  /// Overwriting changes nothing, because the bytes of a chunk do not depend on the process that
-  /// writes them.
+  /// Saves a finished chunk, either whole or not at all. An existing chunk is overwritten with the
+  /// same bytes, because the bytes of a chunk do not depend on the process that writes them.
   ///
   /// Throws    IoError. If the error names the journal, the chunk itself is saved, and the next
   ///           open() writes its row

@@ -2,9 +2,9 @@
 //
 //   PAR1 | chunk of column 0, group 0 | chunk of column 1, group 0 | ... | footer | its size | PAR1
 //
-// A chunk is one data page of version 1. It has the header of the page, and then the page
-// compressed by zstd. Headers and footer are Thrift structs. parquet.thrift defines the numbers of
-// fields, types and encodings.
+// A chunk consists of one data page of version 1: the header of the page, followed by the page
+// itself, which is compressed by zstd. Headers and footer are Thrift structs. The numbers of
+// fields, types and encodings are those of parquet.thrift.
 #include "gearwright/store/parquet.hpp"
 
 #include <fmt/format.h>
@@ -36,9 +36,9 @@ constexpr std::size_t kUtf8 = 0;
 // 20.6 MB. Level 3 takes 0.22 s and gives 20.3 MB. Level 6 takes 0.39 s and gives 20.1 MB.
 constexpr int kZstdLevel = 3;
 constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // greatest length of a text, bytes
-// The size of a page is an int32. All texts of a group except the last one together have less than
-// kGroupTextBytes. A page also contains the last text, a length before each text, and the
-// definition levels.
+// The size of a page must fit into an int32. Together, all texts of a group except the last one
+// have fewer than kGroupTextBytes bytes. A page also contains the last text, the length of each
+// text, and the definition levels.
 static_assert(ParquetWriter::kGroupTextBytes + kTextLimit + 5 * ParquetWriter::kGroupRows <
               std::numeric_limits<std::int32_t>::max());
 

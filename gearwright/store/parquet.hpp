@@ -49,9 +49,8 @@ struct ParquetColumn {
 class ParquetWriter {
  public:
   static constexpr std::size_t kGroupRows = 65'536;
-  /// A row group also ends as soon as the total length of its texts reaches this many bytes. This
-  /// limit bounds the memory for long texts and keeps a page within the 2 GiB that the format
-  /// allows.
+  /// A row group also ends when its texts have this many bytes in total. This limits the memory for
+  /// long texts, and keeps a page below the 2 GiB that the format allows.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
   /// Opens `part_file` under exactly this name. The caller renames it when the table is

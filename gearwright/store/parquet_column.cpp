@@ -16,10 +16,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Returns the definition levels, which are 1 for a value and 0 for null. In the format, a length in
-// bytes comes first, followed by the levels as a mixture of runs and bits. If there are no nulls,
-// or only nulls, one run represents all rows. Otherwise only bits are used, which take at most 8 kB
-// before compression. Runs of equal levels would take up to 16 times as many bytes.
+// Returns the definition levels, which are 1 for a value and 0 for null. The format requires a
+// length in bytes, followed by the levels as runs of equal levels or as single bits. If there are
+// no nulls, or only nulls, one run represents all rows. Otherwise, only bits are used, which take
+// at most 8 kB before compression. Runs would take up to 16 times as many bytes.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {
@@ -59,8 +59,8 @@ void write_range(Thrift& out, const std::string& values) {
     auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     Number range[] = {*least, *greatest};
     if constexpr (real) {
-      // The numbers −0 and +0 compare equal. The format therefore requires that a range that ends
-      // at one of them also includes the other.
+      // The numbers −0 and +0 compare equal. Therefore, the format requires that a range with one
+      // of them as an end also includes the other.
       if (range[0] == 0) range[0] = -0.0;
       if (range[1] == 0) range[1] = 0.0;
     }

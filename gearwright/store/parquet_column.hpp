@@ -34,8 +34,9 @@ void end_row(ColumnChunk& chunk, std::size_t row);
 /// Returns the data page before compression. An optional column begins with definition levels.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
-/// Writes the fields of the struct Statistics. They are the number of nulls, the range of numbers
-/// (none if there are no values or if one is NaN), and for float64 the number of NaN.
+/// Writes the fields of the struct Statistics: the number of nulls, the range of the numbers and,
+/// for float64, the number of NaN. The range is omitted if there are no numbers or if one of them
+/// is NaN.
 void write_statistics(Thrift& out, const ColumnChunk& chunk, std::size_t rows);
 
 }  // namespace gearwright

@@ -7,8 +7,8 @@
 //   τ    normal angle: (sin τ, cos τ) is the outward normal of the gear surface that the point cuts
 //                                              theory: docs/theory/03-rack-and-generation.md
 //
-// A new kind of cutter needs only a function that returns such a chain, from which generation/
-// computes the tooth.
+// A new kind of cutter requires only a function that returns such a chain. The code in generation/
+// computes the tooth from the chain.
 //   Laws  (1) arcs follow each other without a gap   (2) 0 < τ ≤ π/2
 //         (3) x never decreases along the chain      (4) y decreases along the chain
 //         (5) y ≥ 0, except on a line without an end

@@ -127,7 +127,8 @@ double rounded_down(double x) {
 
 std::string rating_remedy(const JudgedRating& rating) {
   const RatedPair& pair = *rating.pair;
-  // A computed K_Hβ applies only to the face width and the torque for which it was computed.
+  // A computed K_Hβ applies only to the face width and to the torque for which it was computed, so
+  // no other face width or torque can be recommended.
   const bool fixed = rating.input->face_load_computed;
   const auto face = fixed ? std::nullopt
                           : face_width_of_safety(pair, *rating.input, rating.wanted,
@@ -177,7 +178,8 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
     judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
   }
-  // The safety factor that is lowest relative to its required value comes first.
+  // The findings are sorted by the ratio of the safety factor to its required value, the lowest
+  // ratio first.
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return a.values.front().value / a.values.back().value <
            b.values.front().value / b.values.back().value;

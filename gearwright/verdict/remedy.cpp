@@ -34,7 +34,8 @@ Level level_in(const std::vector<Finding>& findings, const Finding& like) {
   return level;
 }
 
-// Tries changes of one spec against one list of findings. Each change is evaluated only once.
+// Tries changes of one spec and compares the findings after each change with those of the unchanged
+// spec. Each change is evaluated only once.
 class Trials {
  public:
   Trials(const std::vector<Finding>& before, const TryChange& attempt)
@@ -73,11 +74,11 @@ struct Found {
   Score score;
 };
 
-// Returns the value of a number at which the contact lies nearest to the middle of the face. The
-// search halves the range of the number repeatedly, because the contact moves in one direction as
-// the number grows. There is no result if the contact stays on one side of the middle, if it lies
-// more than kMiddlePlace from the middle at this value, if edges touch more often than `before`, or
-// if the change does not remove the finding.
+// Returns the change of a number with which the contact lies nearest to the middle of the face. The
+// number is found by bisection, because the contact moves in one direction as the number grows.
+// Returns none in these cases: the contact stays on one side of the middle; it lies more than
+// kMiddlePlace from the middle after the change; edges touch more often than in `before`; the
+// change does not remove the finding.
 std::optional<Found> centring_change(Trials& trials, const Finding& finding, const Lever& lever,
                                      const PatternPlace& before) {
   const auto change_of = [&](double steps) {

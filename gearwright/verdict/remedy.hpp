@@ -2,13 +2,14 @@
 // it is printed.
 //
 // A cure is a row of a table. It contains the code of a finding, the changes in the order in which
-// they are tried, and a clause that is true once the finding is removed. For a given spec, each
-// change becomes a lever, which is a number of the spec with its present value, direction, range
+// they are tried, and a clause that is true when the finding is removed. For a given spec, each
+// change becomes a lever. A lever is a number of the spec with its present value, direction, range
 // and step. For each lever, the program computes the smallest change that removes the finding and
-// neither adds nor worsens another finding. If several changes succeed, the one with the fewest
-// remaining findings is used. If the contact lies near the end of the face, or if an edge touches,
-// the lead slope that moves the contact to the middle is tried first. If no change succeeds, the
-// remedy contains no number. Remedies for safety factors are computed by rating_remedy() instead.
+// neither adds nor worsens another finding. If several changes succeed, the change that leaves the
+// fewest findings is used. If the contact lies near the end of the face, or if an edge touches, the
+// helix slope that moves the contact to the middle is tried first. If no change succeeds, the
+// remedy is only general advice. Remedies for safety factors are computed by rating_remedy()
+// instead.
 #pragma once
 
 #include <optional>

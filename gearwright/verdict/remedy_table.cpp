@@ -120,8 +120,9 @@ int gear_of(Whose whose, int own) {
   return 0;
 }
 
-// Returns the smallest profile shift without undercut. The profile shift and the thickness
-// allowance together set the position of the cutter, so the effect of the allowance is subtracted.
+// Returns the smallest profile shift without undercut, or none if the gear is not undercut. The
+// profile shift and the thickness allowance together determine the position of the cutter, so the
+// effect of the allowance is subtracted.
 std::optional<double> shift_without_undercut(const Gear& gear) {
   const auto least = gear.undercut_free_shift();
   if (!gear.undercut || !least) return std::nullopt;
@@ -130,7 +131,8 @@ std::optional<double> shift_without_undercut(const Gear& gear) {
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 
-// Returns the number of decimals of lengths in mm with a last digit of about 10^-more modules.
+// Returns the number of decimals for lengths in mm. One unit of the last decimal is about 10^−more
+// modules.
 int digits_for(double module, int more) {
   return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
 }
@@ -206,7 +208,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     case A::lead_crowning:
     case A::lead_slope:
       if (gear(which).internal()) return std::nullopt;
-      lever.span = 80;  // µm; Gear does not store the present value, so the change starts at 0
+      lever.span = 80;  // µm; `now` is 0, because Gear does not contain the present value
       lever.digits = 0;
       return lever;
     case A::center_distance:

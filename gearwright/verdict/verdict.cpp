@@ -49,8 +49,8 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
   return list;
 }
 
-// Returns words for the backlash. If there is no backlash, they include the smallest backlash
-// recommended for running gears.
+// Returns the backlash in words. If there is no backlash, the words include the smallest
+// recommended backlash.
 std::string backlash_words(const StatedBacklash& j) {
   if (!j.none()) return fmt::format("a backlash of {:.4f} mm", j.normal);
   return fmt::format("no backlash ({})", recommendation(recommended_backlash(j)));
@@ -169,7 +169,8 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
 }
 
-// Returns the amber findings other than the finding in the headline.
+// Returns a sentence with the reasons of the amber findings, except that of the first finding,
+// which the headline already contains. Returns an empty text if there are no other reasons.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;
@@ -196,7 +197,8 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
 }
 
-// Returns the number to which a warning refers, if it is a value of the pair or of the gear.
+// Returns the value of the pair or of the gear to which a warning refers, for example a clearance.
+// The list is empty if the warning refers to no such value.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
     const auto& s_an =
@@ -316,8 +318,9 @@ std::optional<PatternPlace> pattern_place(const Judged& judged) {
 
 namespace {
 
-// True if `a` is listed before `b`. The more severe finding comes first. Two findings of one level
-// about safety factors keep their order, because rating_findings() has already sorted them.
+// True if `a` is listed before `b`. The more severe finding comes first. Findings of the same level
+// are in the order of WarningCode, with two exceptions. Green findings keep their order. Findings
+// about safety factors also keep their order, because rating_findings() has already sorted them.
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;

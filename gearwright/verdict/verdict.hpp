@@ -1,9 +1,9 @@
 // Judges whether the gears work. If they do not, the verdict gives the reason and a remedy.
 //
-// One verdict covers all results of a job, which are warnings of gears, pair and contact, margins
-// of clearances, the position of the contact under the errors, and safety factors. The worst
+// One verdict covers all results of a job: the warnings of gears, pair and contact, the margins of
+// the clearances, the position of the contact under the errors, and the safety factors. The worst
 // finding comes first, and the headline states it in words. The command line, JSON, Python and the
-// page print the same verdict.
+// page show the same verdict.
 //
 // Findings are computed for the nominal values, or for every combination of tolerance ends. In the
 // second case, findings of the same kind are merged, and the worst finding is kept. verdict_of adds
@@ -75,9 +75,8 @@ struct Finding {
   Level level;       ///< green if the finding is for information only
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< one or more sentences each; the remedy may be empty
-  std::vector<FindingValue> values{};  ///< the first value of a finding about a clearance,
-                                       ///< backlash, ratio or safety factor is the one that is too
-                                       ///< small
+  std::vector<FindingValue> values{};  ///< if a clearance, a backlash, a contact ratio or a safety
+                                       ///< factor is too small, this value comes first
   std::string at{};  ///< tolerance ends at which the finding occurs; empty for the nominal values
   std::optional<SpecChange> change{};  ///< the change in the remedy, if one was tried successfully
 
@@ -94,10 +93,10 @@ struct Verdict {
                                         ///< contains data for them: pair, contact, load, rating
 };
 
-/// Margins in normal modules. A clearance below its margin produces a finding. The fillet margin is
-/// small, because even in a good pair, a tip corner that has left the mating flank passes close to
-/// the fillet. In a 20:40 pair without profile shift, the clearance between corner and fillet is
-/// only 0.0009 modules. It rarely exceeds 0.01 modules.
+/// Margins in normal modules. A clearance below its margin produces a finding. The margin of the
+/// fillet is small, because even in a good pair, the tip corner passes close to the fillet after it
+/// has left the mating flank. The clearance between corner and fillet is only 0.0009 modules in a
+/// 20:40 pair without profile shift, and it rarely exceeds 0.01 modules.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the contact pattern from the middle of a face, relative to half of the face
 /// width, at which the pattern still counts as central.
@@ -160,9 +159,9 @@ struct ChangedState {
   double backlash = 0.0;       ///< j_n  mm
   std::optional<PatternPlace> place{};
 };
-/// The results that are computed for a changed spec. as_drawn stands for the nominal gears and the
-/// nominal pair. at_tolerances adds all combinations of tolerance ends. with_contact adds the
-/// contact under the errors.
+/// The results that are computed for a changed spec. With as_drawn, these are the nominal gears and
+/// the nominal pair. at_tolerances adds all combinations of tolerance ends, and with_contact adds
+/// the contact under the errors.
 enum class TryDepth { as_drawn, at_tolerances, with_contact };
 /// Computes the results of a spec with one change. Returns nothing if the changed gears cannot be
 /// made or mounted.

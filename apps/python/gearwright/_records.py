@@ -1,5 +1,5 @@
-"""Records of the catalogue as values. An attribute of a gear, a pair or an answer has this type if it is
-a record."""
+"""The type Record. An attribute of a gear, a pair or an answer has this type if its value is a
+record of the catalogue."""
 
 from __future__ import annotations
 

@@ -18,8 +18,8 @@ namespace gearwright::web {
 namespace {
 
 // The words for KeyKind in the JSON, in the order of the enumerators. The form has no fields for
-// numbers by name, so the word for KeyKind::by_name is "any". For the same reason, key_json()
-// writes "any" for a list of texts.
+// numbers by name and for lists of texts. The word for KeyKind::by_name is therefore "any", and
+// key_json() writes "any" for a list of texts.
 constexpr std::array<const char*, 8> kKinds{"number", "whole", "boolean", "text",
                                             "word",   "any",   "table",   "any"};
 constexpr std::array<const char*, 8> kTypes{"number", "whole", "index",  "flag",

@@ -152,15 +152,15 @@ Result<Json> Session::lines() const {
               {"points", std::move(points)}};
 }
 
-// Gear 1 turns clockwise seen from +z, and gear 1 drives gear 2. The mounting error ΔC displaces
-// axis 2. All other mounting errors tilt or displace axis 1. [T1.5], [T8.12]
+// Gear 1 turns clockwise seen from +z. The mounting error ΔC displaces axis 2. All other mounting
+// errors tilt or displace axis 1. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!has_pair()) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
     return shape(SolidPose(Vec3::Zero(), about_z(-Angle::degrees(rotation1_deg).rad())));
   }
   const Angle rotation1 = Angle::degrees(rotation1_deg);
-  // If the gears cannot touch, the errors of mounting are ignored.
+  // If `nominal` is true or the gears cannot touch, the errors of mounting are ignored.
   const auto touching = nominal ? Result<const Touching*>(nullptr) : this->touching();
   const ContactPair* contact = touching && *touching ? (*touching)->pair.get() : nullptr;
   using Motion = Pose<AssemblyFrame, AssemblyFrame>;

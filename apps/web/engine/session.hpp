@@ -94,7 +94,8 @@ class Session : public std::enable_shared_from_this<Session> {
   double marking() const { return job_.spec.contact.marking; }
 
  private:
-  // The flanks that touch. For a double-helical pair, `pair` is the half at z > 0.
+  // The flanks that touch, mounted with the errors of the spec. For a double-helical pair, `pair`
+  // is the half at z > 0.
   struct Touching {
     std::optional<ContactSetup> setup;  // none for a rack
     std::optional<HalvesSetup> halves;

@@ -141,8 +141,8 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   const ShiftGraph graph = search.graph(search.space().trial(0));
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = swapped ? Vec2(point.y(), point.x()) : point;
-  // The least margin over all limits. The limits have different units. Only the sign of the margin
-  // is therefore used, and whether the margin is nearly 0.
+  // `room` is the least margin over all limits. The limits have different units, so only two facts
+  // are used: the sign of `room`, and whether `room` is nearly 0.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();

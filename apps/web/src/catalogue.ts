@@ -34,8 +34,8 @@ export function objective(name: string): Objective | undefined {
   return whole.objectives.find((one) => one.name === name);
 }
 
-/** For a table of keys, the tables of results that contain its quantities. By default, this is the
- *  table with the same name. */
+/** Maps the name of a table of keys to the tables of results that contain its quantities. A table
+ *  that is not listed here belongs to the table of results with the same name. */
 const kResultsOf: Record<string, string[]> = {
   material: ["rating"],
   rating_plastic: ["rating"],

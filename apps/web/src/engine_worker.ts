@@ -94,7 +94,7 @@ function treeOf(text: string): Solved["spec"] {
 /** The last result as text, and the unit of its rows. */
 let printed: { text: string; unit: "mm" | "in"; number: number } = { text: "", unit, number: 0 };
 
-/** Returns the verb whose result the page shows for any spec. */
+/** Returns the verb of the result that the page shows for a session. */
 const verbOf = (s: E.Session): E.Verb => (s.hasPair ? "pair" : s.gears ? "gear" : "drive");
 
 /** Solves a spec. `known` is the number of the result that the page has. If the new result is the

@@ -33,7 +33,7 @@ export class FigureSlot {
   );
   private figure: Figure | null = null;
   private t = NaN;
-  private turn: ((t: number, moved: boolean) => void) | null = null; // made when the figure has its drawn position
+  private turn: ((t: number, moved: boolean) => void) | null = null; // for the figure as drawn
 
   /** `chosen` is called when the user clicks or drags to a position. `at` is called with the values at the
    *  pointer when the pointer moves or clicks on the plot. */

@@ -1,5 +1,6 @@
-// The answer of a verb that takes long, which the engine computes only on request. A button starts the computation,
-// and a click on the answer replaces the design by a spec of the answer.
+// The answer of a verb whose computation takes long. The engine computes it only on request. A
+// button starts the computation, and a click on the answer replaces the design by a spec of the
+// answer.
 
 import { button, fill, h, scroller, sentenceOf } from "./elements";
 import type { Json } from "./engine_worker";
@@ -15,7 +16,8 @@ export abstract class Requested {
   readonly element: HTMLElement;
   private of = ""; // text of the spec whose answer is shown or computed
 
-  /** `name` is the class of the element, `start` the text of the button, and `busy` the text beside it until the answer. */
+  /** `name` is the class of the element, `start` is the text of the button, and `busy` is the text
+   *  beside the button until the answer arrives. */
   constructor(
     private readonly verb: Verb,
     name: string,

@@ -24,7 +24,8 @@ export class TurnControl {
     this.stop = figureDrive(this.run, this.slider, kSeconds, turned).stop;
   }
 
-  /** Shows the position. `motion` gives the range of the slider, and `what` names the part that turns. */
+  /** Shows the position as an angle. `motion` contains the angle of the whole range of the slider,
+   *  and `what` names the part that turns. */
   show(motion: { pitchDeg: number } | null, what = "gear 1"): void {
     this.slider.setAttribute("aria-label", `rotation of ${what}`);
     if (motion) this.angle.textContent = (this.t * motion.pitchDeg).toFixed(2) + "°";

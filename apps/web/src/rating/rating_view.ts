@@ -1,5 +1,6 @@
-// The tab "rating" shows the strength by ISO 6336 or VDI 2736. The colour of each safety shows its level
-// in the verdict. As in the report, every factor has its clause of the standard and the branch of the formula.
+// The tab "rating" shows the strength to ISO 6336 or VDI 2736. The colour of each safety factor
+// shows its level in the verdict. As in the report, every factor has its clause of the standard and
+// the branch of the formula.
 
 import type { Row } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
@@ -10,7 +11,7 @@ import { judgement } from "../judgement";
 import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
-/** Each safety, and the code of the finding if it is too low. */
+/** Each safety factor, and the code of the finding if the safety factor is too low. */
 const kSafeties: [key: string, code: string][] = [
   ["S_F", "root_safety"],
   ["S_H", "flank_safety"],

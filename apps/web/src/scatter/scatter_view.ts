@@ -1,6 +1,6 @@
-// The tab "scatter" shows the effect of the tolerances, with a slider for each. While the user
-// moves a slider, the distribution is estimated to first order. When the user releases the slider,
-// complete contact analyses replace the estimate.
+// The tab "scatter" shows the effect of the tolerances, with a slider for each tolerance. While the
+// user moves a slider, the distribution is estimated to first order. When the user releases the
+// slider, complete contact analyses replace the estimate.
 
 import type { Scattered } from "../../engine/engine";
 import { button, fill, h, scroller, sentenceOf } from "../elements";

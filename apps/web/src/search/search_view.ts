@@ -104,7 +104,8 @@ export class SearchView implements Tab {
     if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
     if (!this.designs.length)
       this.status.textContent = solved.hasPair
-        ? "This button searches for other pairs whose ratio differs by at most 3 % and whose centre distance differs by at most 2 %."
+        ? "“Search around this pair” searches for other pairs whose ratio differs by at most 3 % " +
+          "and whose centre distance differs by at most 2 %."
         : "A search needs a pair, or a [search] table in the spec.";
   }
 

@@ -54,7 +54,8 @@ export class DriveControls {
     );
   }
 
-  /** Gives a role to a body. If the body has another role, the two roles are exchanged. */
+  /** Gives a role to a body. If the body already has another role, the two bodies exchange their
+   *  roles. */
   private assign(roles: Record<Role, string>, role: Role, name: string): void {
     for (const other of Object.keys(kRoles) as Role[]) if (roles[other] === name) roles[other] = roles[role];
     roles[role] = name;

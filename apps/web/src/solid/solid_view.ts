@@ -135,8 +135,8 @@ export class SolidView implements Tab {
     this.state.textContent = `${(triangles / 1000).toFixed(0)} thousand triangles`;
   }
 
-  /** Returns the chord tolerance, mm, too small to be visible. It is a ten-thousandth of the size of the pair, but
-   *  at least 0.002 mm and at most 0.05 mm. */
+  /** Returns a chord tolerance in mm that is too small to be visible. It is a ten-thousandth of the
+   *  size of the pair, but at least 0.002 mm and at most 0.05 mm. */
   private tolerance(): number {
     const pair = bench.good?.result?.["pair"];
     const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { tip_diameter_mm: number }[];
