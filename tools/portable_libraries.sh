@@ -5,7 +5,8 @@
 #
 # The result is build/portable/libraries/TARGET with include/ and lib/. Sources are fetched once with
 # apt-get source, which uses separate package lists and leaves those of the system unchanged. A second
-# call does nothing. The exit status is 75 if the sources cannot be fetched.
+# call does nothing. If a mirror lists a version that it does not have, the next older version is
+# fetched. The exit status is 75 if there is none.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 target=${1:?usage: tools/portable_libraries.sh TARGET}
@@ -31,7 +32,14 @@ fetch() {
   local options=(-qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$sources/apt/parts"
     -o Dir::State::lists="$sources/apt/lists" -o Dir::Cache="$sources/apt/cache" -o APT::Sandbox::User=root)
   apt-get "${options[@]}" update || exit 75
-  (cd "$sources" && apt-get "${options[@]}" source "${packages[@]}") || exit 75
+  local package version
+  for package in "${packages[@]}"; do
+    for version in $(apt-cache "${options[@]}" showsrc --only-source "$package" | sed -n 's/^Version: //p' | sort -rVu); do
+      (cd "$sources" && apt-get "${options[@]}" source "$package=$version") && continue 2
+      echo "portable_libraries: the sources of $package $version cannot be fetched, trying an older version" >&2
+    done
+    exit 75
+  done
   echo "${packages[*]}" >"$sources/complete"
 }
 
