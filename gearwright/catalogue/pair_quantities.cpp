@@ -344,7 +344,7 @@ void add_parallel(Quantities<Pair>& all) {
       .shown([](const Pair& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
   all.under(kBacklash);
   q.number("backlash_per_center_distance", "circumferential backlash per centre distance", "",
-           "[T6.16]; null on crossed axes", backlash_per_distance)
+           "[T6.16]; negative for internal pairs; null on crossed axes", backlash_per_distance)
       .when(is<InvolutePair>);
 }
 

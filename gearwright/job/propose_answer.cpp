@@ -128,10 +128,20 @@ bool rises(const LoadedScore& s, const LoadedScore& given) {
   return std::isfinite(given.peak_to_peak.rad()) && s.peak_to_peak.rad() > given.peak_to_peak.rad();
 }
 
+bool has_result(const Proposal& p) {
+  return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure);
+}
+
 // True if a proposal has a result whose transmission error does not exceed that of the given spec.
 bool is_possible(const Proposal& p, const Proposal& given) {
-  return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure) &&
-         !rises(p.worst, given.worst);
+  return has_result(p) && !rises(p.worst, given.worst);
+}
+
+// Returns the first proposal with a result, to which the others are compared. This is the spec as
+// given if it has a result. If no proposal has one, the spec as given is returned too.
+std::size_t reference(const std::vector<Proposal>& list) {
+  const auto it = std::find_if(list.begin(), list.end(), has_result);
+  return it == list.end() ? 0 : static_cast<std::size_t>(it - list.begin());
 }
 
 // Returns the least pressure among the possible proposals without a loaded edge. Both the pressure
@@ -184,17 +194,16 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
     edges =
         "No edge of a tooth carries load in this proposal, not even at the limits of the helix "
         "slopes. ";
-  const bool scored =
-      std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
       best == 0 ? std::string(
                       "The spec as given is the best proposal. Only proposals that do not increase "
                       "the transmission error are compared with the spec as given.")
-      : !scored
+      : !has_result(given)
           ? fmt::format(
                 "The spec as given has no result under this load. {}Of all proposals, this "
-                "proposal has the least sum of transmission error and pressure.",
-                edges)
+                "proposal has the least sum of transmission error and pressure, each relative to "
+                "proposal {}.",
+                edges, reference(list) + 1)
           : fmt::format(
                 "{}This proposal has the least sum of transmission error ({}″) and pressure ({} "
                 "N/mm²{}), each relative to the spec as given. Only proposals that do not increase "
@@ -236,10 +245,10 @@ std::size_t recommended(const std::vector<Proposal>& list) {
   // proposal is therefore chosen only if its merit is smaller by more than 1 %.
   constexpr double kWorth = 0.99;
   const Proposal& given = list.front();
-  const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
+  const Proposal& unit = list[reference(list)];
   const auto merit = [&](const Proposal& p) {
-    return relative(p.worst.peak_to_peak.rad(), given.worst.peak_to_peak.rad()) +
-           relative(pressed(p).max_pressure, pressed(given).max_pressure);
+    return p.worst.peak_to_peak.rad() / unit.worst.peak_to_peak.rad() +
+           pressed(p).max_pressure / pressed(unit).max_pressure;
   };
   const double least = least_pressure(list);
   std::size_t best = 0;

@@ -138,6 +138,7 @@ TEST(Propose, RecommendsByEdgesThenBySum) {
   EXPECT_EQ(recommended({with_score(10, 900), with_score(5, 900), with_score(4.95, 900)}), 1u);
   Proposal lost;
   EXPECT_EQ(recommended({lost, with_score(5, 900)}), 1u);
+  EXPECT_EQ(recommended({lost, with_score(9, 900), with_score(5, 900)}), 2u);
   EXPECT_EQ(recommended({with_score(10, 900), lost}), 0u);
   // With tolerances, the pressure and the loaded edges at the limits of the tolerances decide.
   Proposal crowned = with_score(10, 950);

@@ -59,7 +59,7 @@ std::array<double, 2> axial_force(const ParallelPair& pair) {
 }
 
 double backlash_per_distance(const ParallelPair& pair) {
-  return 2.0 * pair.mesh.rack.sides[0].tan_transverse;
+  return pair.side() * 2.0 * pair.mesh.rack.sides[0].tan_transverse;
 }
 
 }  // namespace gearwright

@@ -176,8 +176,9 @@ Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<dou
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade) {
   constexpr const char* formula = "ISO 6336-3, clause 10";
   const double e = pair.epsilon_alpha_n();
-  if (!grade || *grade > 4 || e <= 2.05)
-    return {1.0, formula, e <= 2.05 ? "ε_αn ≤ 2.05" : "coarser than grade 4"};
+  if (e <= 2.05) return {1.0, formula, "ε_αn ≤ 2.05"};
+  if (!grade) return {1.0, formula, "no accuracy grade is given"};
+  if (*grade > 4) return {1.0, formula, "coarser than grade 4"};
   if (e > 2.5) return {0.7, formula, "grade 4 or better, ε_αn > 2.5"};
   return {2.366 - 0.666 * e, formula, "grade 4 or better, 2.05 < ε_αn ≤ 2.5"};
 }

@@ -194,8 +194,8 @@ class Reader {
     return spec;
   }
 
-  // Adds the torque and the speed of gear 1. If only torque or speed of gear 2 is defined, the
-  // value is converted by the ratio.
+  // Adds the torque and the speed of gear 1. If only the torque of gear 2 is defined, gear 2 drives,
+  // and its torque and speed are converted by the ratio.
   void add_pair_load(Json& spec, const RexsStage& s) const {
     const double ratio =
         std::abs(static_cast<double>(rexs_teeth(*s.gears[1])) / rexs_teeth(*s.gears[0]));
@@ -208,7 +208,7 @@ class Reader {
       if (given.contains("speed_rpm"))
         spec["pair"]["speed_rpm"] = given["speed_rpm"].get<double>() * speed;
       if (!given.contains("torque_Nm")) continue;
-      spec["load"]["torque_Nm"] = given["torque_Nm"].get<double>() / speed;
+      spec["load"] = {{"torque_Nm", given["torque_Nm"].get<double>() / speed}};
       if (i == 1) spec["load"]["driver"] = 2;
     }
   }

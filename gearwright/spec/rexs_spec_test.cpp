@@ -93,6 +93,22 @@ TEST(Rexs, StagesAreInTheOrderOfTheirShafts) {
   EXPECT_EQ(s.tables["stage"][1]["gears"][1]["teeth"], 84);
 }
 
+TEST(Rexs, TheTorqueOfGear1IsPreferred) {
+  const auto load = [](const char* id, const char* torque) {
+    return component(id, "external_load",
+                     std::string("<attribute id=\"torque_around_u_axis\">") + torque +
+                         "</attribute><attribute id=\"defines_torque\">true</attribute>");
+  };
+  const std::string relations =
+      stage("10", "1", "2") + on("s1", "1") + on("s2", "2") + on("s1", "8") + on("s2", "9");
+  const std::string gears = gear("1", 20) + gear("2", 60) + component("10", "cylindrical_stage") +
+                            component("s1", "shaft") + component("s2", "shaft");
+  const Json both = read(file(relations, gears + load("8", "12.5") + load("9", "-30"))).tables;
+  EXPECT_EQ(both["load"], (Json{{"torque_Nm", 12.5}}));
+  const Json second = read(file(relations, gears + load("9", "-30"))).tables;
+  EXPECT_EQ(second["load"], (Json{{"torque_Nm", 10.0}, {"driver", 2}}));
+}
+
 TEST(Rexs, APlanetaryStageHasItsMembers) {
   const std::string relations =
       stage("10", "1", "2") + stage("11", "1", "3") + stage("12", "2", "4") + stage("13", "3", "4");
