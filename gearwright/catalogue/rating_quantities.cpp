@@ -18,8 +18,7 @@ constexpr const char* kGeneral = "General influence, ISO 6336-1";
 constexpr const char* kFlank = "Flank, ISO 6336-2";
 constexpr const char* kRoot = "Root, ISO 6336-3";
 
-// A factor of the rating. If the pair has one value, `of` returns it. If each gear has its own
-// value, `each` returns the value of gear i.
+// A factor of the rating: `of` returns the value of a pair, or `each` the value of gear i.
 struct FactorEntry {
   const char *group, *key, *words, *symbol;
   Unit unit;

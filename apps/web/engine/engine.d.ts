@@ -354,12 +354,10 @@ export interface Session {
   /** Returns the gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
    *  transformation is relative to the position of the gear. */
   meshFigure(view: MeshView): Figure | Failed;
-  /** Returns the transformation from the frame of a gear to the housing frame at a rotation of
-   *  gear 1, as a column-major 4×4 matrix for three.js. The gears are mounted with the errors of
-   *  the spec. Gear 2 is turned until its working flanks touch. If there is no contact, the
-   *  rotation of gear 2 follows from the gear ratio, and its teeth are in the middle of the
-   *  backlash. If `nominal` is true, the rotation of gear 2 also follows from the gear ratio, and
-   *  the errors are ignored. */
+  /** Returns the transformation from the frame of a gear to the housing frame at a rotation of gear 1, as a
+   *  column-major 4×4 matrix for three.js. The gears have the errors of the spec, and gear 2 is turned until its
+   *  working flanks touch. If there is no contact, its rotation follows from the gear ratio, and its teeth are in the
+   *  middle of the backlash. If `nominal` is true, this rotation is used without errors. */
   pose(gear: 1 | 2, rotation1Deg: number, nominal?: boolean): Float64Array | Failed;
   /** Returns the contact at `positions` per pitch under the errors and modifications of the spec. The first position
    *  is half a pitch before the centre line. */
