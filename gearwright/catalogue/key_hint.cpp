@@ -125,10 +125,12 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 }
 
 // Searches for a key that is called `word`, first in the tables inside `table` and then in all
-// other tables. In the other tables, the unit of the key must be of the same kind as `unit`. An
-// example of the result is "diameter_mm in [gear1.bore]". Returns none if there is no such key.
+// other tables. In the other tables, the unit of the key must be of the same kind as that of `name`,
+// which is the key in the spec. An example of the result is "diameter_mm in [gear1.bore]". Returns
+// none if there is no such key.
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
-                                            const Word& word, std::string_view unit) {
+                                            std::string_view name, const Word& word) {
+  const std::string_view unit = key_unit(name);
   // If `table` itself has a key of the same name, the result contains only this name.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
@@ -148,12 +150,17 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     std::stable_partition(all.begin(), all.end(),
                           [&](const Place& p) { return !p.path.starts_with(repeats); });
   std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
-  for (Place& p : all) {
-    if (p.path == path) continue;  // a table of another kind at the same path
-    const bool outside = p.path.find('.') == std::string::npos;
+  for (Place& p : all)
     if (p.table == &gear_keys() && subject_of(own).gear == 2) p.path = own;
-    const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false);
-    if (found && of_one_kind(unit, key_unit(found->key))) return named(*found, p.path);
+  // A key with the same spelling precedes a key that is similar or has this symbol.
+  for (const bool same : {true, false}) {
+    for (const Place& p : all) {
+      if (p.path == path) continue;  // a table of another kind at the same path
+      const bool outside = p.path.find('.') == std::string::npos;
+      const Key* found =
+          same ? p.table->find(name) : called(*p.table, word, outside ? by_symbol : by_word, false);
+      if (found && of_one_kind(unit, key_unit(found->key))) return named(*found, p.path);
+    }
   }
   return std::nullopt;
 }
@@ -247,7 +254,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     if (!path.empty() && is_table(table_key) && table_key.key == key)
       return fmt::format("[{}] is a separate table and not a part of [{}]", key, path);
   if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
-  if (const auto other = called_elsewhere(table, path, word, key_unit(key))) return nearest(*other);
+  if (const auto other = called_elsewhere(table, path, key, word)) return nearest(*other);
   if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);
   if (const Key* part = with_part(table, word)) return nearest(part->key);
   if (const Key* near = nearly_called(table, word, kLettersOff)) return nearest(near->key);

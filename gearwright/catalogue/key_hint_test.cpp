@@ -80,6 +80,12 @@ TEST(KeyHint, a_word_of_the_drawing_leads_to_the_gear_before_the_search) {
   EXPECT_EQ(key_hint(search_keys(), "search", "thickness_seri"), nearest("thickness_series"));
 }
 
+// The symbol L of the bearing span is not meant.
+TEST(KeyHint, the_same_spelling_elsewhere_precedes_a_symbol) {
+  EXPECT_EQ(key_hint(root_fillet_keys(), "gear1.root_fillet", "l_mm"),
+            nearest("l_mm in [gear1.tip_fillet]"));
+}
+
 TEST(KeyHint, a_misalignment_of_the_errors_is_a_shaft_deviation) {
   EXPECT_EQ(key_hint(error_keys(), "errors", "misalignment_um"), nearest("crossing_deg"));
 }

@@ -1,5 +1,5 @@
 // Measures the speed of the page: from opening to the first result, from a keystroke to the picture, the
-// contact curve, and frames while turning. The other files contain the tests.
+// contact curve, and frames while the gears turn or a value changes. The other files contain the tests.
 //
 //   node apps/web/test/times.mjs
 
@@ -62,5 +62,36 @@ for (const tab of ["mesh", "solid"]) {
     `${tab.padEnd(18)} frames per second while turning, without a graphics card: ${frames.toFixed(0)}`,
   );
   await page.click(`#room-${tab} .controls button`);
+}
+// Frames while a slider moves in each frame: the engine computes, and the pictures follow.
+for (const [tab, name, key, from] of [
+  ["mesh", "helical_pair", "gear1.profile_shift", 0.3],
+  ["contact", "misaligned_pair", "errors.crossing_deg", 0.03],
+]) {
+  await put(page, example(name), tab);
+  await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+  const [frames, results] = await page.evaluate(
+    ({ key, from }) =>
+      new Promise((done) => {
+        const field = document.querySelector(`[data-key="${key}"]`);
+        let n = 0, results = 0, last = window.gearwright.text();
+        const begin = performance.now();
+        const move = () => {
+          const text = window.gearwright.text();
+          if (text !== last) ++results;
+          last = text;
+          if (performance.now() - begin > 3000) return done([n / 3, results / 3]);
+          field.value = (from + 0.0001 * ++n).toFixed(4);
+          field.dispatchEvent(new Event("input"));
+          requestAnimationFrame(move);
+        };
+        requestAnimationFrame(move);
+      }),
+    { key, from },
+  );
+  console.log(
+    `${tab.padEnd(18)} frames per second while ${key} changes: ${frames.toFixed(0)}, ` +
+      `results per second: ${results.toFixed(0)}`,
+  );
 }
 await browser.close();
