@@ -73,9 +73,9 @@ export class QuantityPane {
         const cell = cells[i]!;
         if (cell.textContent === text + (row.ends[i] ?? "")) return;
         fillCell(cell, row, i);
-        cell.classList.remove("glow");
-        void cell.offsetWidth; // a forced layout restarts the highlight
-        cell.classList.add("glow");
+        // An animation with another name starts anew without a forced layout.
+        if (!cell.classList.replace("glow", "glow-again") && !cell.classList.replace("glow-again", "glow"))
+          cell.classList.add("glow");
       });
     }
   }

@@ -64,6 +64,7 @@ export class MeshView implements Tab {
     [0, 0],
   ];
   private motion: Motion | null = null;
+  private size: [number, number] = [0, 0];
   private design = -1;
   private drawn = ""; // the text of the spec that the figure shows
   private placed = ""; // the text of the spec to which the poses belong
@@ -76,7 +77,10 @@ export class MeshView implements Tab {
       home: () => this.restore(),
       settled: () => this.takeWindow(),
     });
-    new ResizeObserver(() => this.redraw()).observe(this.picture);
+    new ResizeObserver(() => {
+      this.size = [0, 0];
+      this.redraw();
+    }).observe(this.picture);
   }
 
   leave(): void {
@@ -97,7 +101,7 @@ export class MeshView implements Tab {
     this.readout.textContent = "";
     if (this.design !== bench.design) this.window = null;
     this.design = bench.design;
-    if (!this.picture.clientWidth) return;
+    if (!this.measured()[0]) return;
     // The gears keep the poses of the previous spec until the new poses arrive. Until then, the picture is
     // dimmed.
     const { text } = solved;
@@ -117,9 +121,16 @@ export class MeshView implements Tab {
     this.repaint();
   }
 
+  /** Returns the width and the height of the picture, px. They are measured only after a change of size, because
+   *  each measurement forces a layout of the page. */
+  private measured(): [number, number] {
+    if (!this.size[0]) this.size = [this.picture.clientWidth, this.picture.clientHeight];
+    return this.size;
+  }
+
   /** Draws the figure for the current size and window. */
   private async draw(): Promise<void> {
-    const { clientWidth: width, clientHeight: height } = this.picture;
+    const [width, height] = this.measured();
     if (!bench.good || !width || !height) return;
     const { text } = bench.good;
     const before = this.viewBox;
