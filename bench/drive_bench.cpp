@@ -1,6 +1,7 @@
 // Measures whole drives: a set of three meshes compared with a pair, the search for sets without
-// teeth, and `run` on a planetary stage. The aims are at most three times the time of a pair, 10⁶ sets
-// per second and core, and at most three seconds.
+// teeth, and `run` on a planetary stage. The aims: a set takes at most three times the time of a
+// pair, the search processes at least 10⁶ sets per second and core, and `run` takes at most three
+// seconds.
 //
 // Counters: `ratio` is the median over rounds of the time for the set divided by the time for the
 // pair. Both are measured one after the other in each round. `per_s` is the number of sets per
@@ -37,7 +38,7 @@ profile_shift = { sun = 0.45, planet = 0.1, planet2 = 0.2 }
 thickness_allowance_mm = -0.08
 )";
 
-// Its mesh of sun and planet.
+// The mesh of sun and planet of this set, as a pair.
 constexpr const char* kPair = R"(
 [gear1]
 teeth = 12

@@ -188,7 +188,7 @@ BENCHMARK(designs_off_the_line_over_those_on_it)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// Searches for the same designs with and without rating by ISO 6336. `us_per_rating` is the
+// Searches for the same designs with and without rating to ISO 6336. `us_per_rating` is the
 // additional time per design, and `ratio` is the time with rating divided by the time without it.
 void rated_designs_over_unrated(benchmark::State& state) {
   SearchProblem p;

@@ -45,7 +45,7 @@ TEST(CutGears, note_the_tip_that_the_root_of_the_cutter_determines) {
   EXPECT_EQ(note_of_tip(alone(usual)), "");
 }
 
-// The half angle, rad, of the flank as cut at this radius, by bisection along the flank.
+// The half angle of the cut tooth at this radius, rad. It is found by bisection along the flank.
 double half_angle(const Gear& gear, double radius) {
   const Arc& flank = *gear.tooth->outline.find(ArcName::flank);
   double lo = 0.0, hi = 1.0;
@@ -80,7 +80,7 @@ TEST(CutGears, have_the_thickness_of_a_series_by_the_infeed_of_their_cutter) {
     expect(arranged, (allowances[0] + allowances[1]) / 2);
     expect(arranged.ends->lower, allowances[0]);
     expect(arranged.ends->upper, allowances[1]);
-    // A thinner tooth needs a deeper cutter. The root of the cutter then cuts a shorter tip.
+    // A thinner tooth needs a greater depth of cut. The root of the cutter then cuts a shorter tip.
     const double deeper = arranged.ends->upper.gear(1).cut_by->distance -
                           arranged.ends->lower.gear(1).cut_by->distance;
     EXPECT_GT(deeper * side_of(teeth), 0.0);

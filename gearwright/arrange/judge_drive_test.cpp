@@ -1,7 +1,7 @@
-// Law: while the sun turns, in 120 steps or in 360 in the long test, the outlines of sun, planets
-// and ring overlap nowhere if the verdict is green. They overlap somewhere if the verdict is red
-// because of an overlap. The oracle uses only points of the outlines: two gears overlap if a point
-// of one gear lies inside a tooth of the other gear.
+// Law: if the verdict is green, the outlines of sun, planets and ring overlap nowhere while the sun
+// turns. If the verdict is red because of an overlap, they overlap somewhere. The sun turns in 120
+// steps, or in 360 steps in the long test. The oracle uses only points of the outlines: two gears
+// overlap if a point of one gear lies inside a tooth of the other gear.
 #include "gearwright/arrange/judge.hpp"
 
 #include <fmt/format.h>
@@ -44,12 +44,13 @@ class Tooth {
   int teeth() const { return z_; }
   /// The points of the whole tooth. The x axis is its centre line.
   const std::vector<Vec2>& points() const { return points_; }
-  /// All points lie in a circle of the radius around() about middle().
+  /// All points lie within a circle about middle() with the radius around().
   const Vec2& middle() const { return middle_; }
   double around() const { return around_; }
 
   /// An upper limit of the depth of all points at the distances `rho` ± `spread` from the axis. If
-  /// all of them are outside the tips, this is the depth of the nearest one.
+  /// all these points are beyond the tip circle, the limit is the negative distance of the nearest
+  /// one from this circle. Otherwise there is no limit, and the result is 1e9.
   double most(double rho, double spread) const {
     const double outside = internal_ ? tip() - (rho + spread) : rho - spread - tip();
     return outside > 0.0 ? -outside : 1e9;

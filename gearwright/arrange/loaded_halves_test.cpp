@@ -1,7 +1,7 @@
-// Laws: (1) without errors, a half behaves as a separate helical pair under half of the torque
-// (2) the deflections of the halves agree with the deflection of the whole face   (3) a stagger s
-// multiplies harmonic k of the loaded TE by |cos πks|   (4) mirrored errors exchange the halves
-// (5) for a torque that vanishes, the teeth touch where they touch without load.
+// Laws: (1) without errors, a half behaves as a separate helical pair under half of the torque (2)
+// the deflections of the halves agree with the deflection of the whole face   (3) a stagger s
+// multiplies harmonic k of the loaded TE by |cos πks|   (4) mirrored errors exchange the halves (5)
+// under a vanishing torque, the teeth touch at the points where they touch without load.
 #include "gearwright/arrange/loaded_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST(LoadedHalves, RejectInputsWithoutTorque) {
   EXPECT_EQ(field(third), "load.driver");
 }
 
-// If both halves are equal, only one half is computed. The result of the other half is the exact
+// If both halves are equal, only one half is computed. The result of the other half is its exact
 // mirror image, bit by bit.
 TEST(LoadedHalves, AreComputedOnceIfTheyAreEqual) {
   const Sample s = sample(0.0, {50.0, 50.0}, 0.01);
@@ -167,11 +167,11 @@ TEST(LoadedHalves, AreExchangedByMirroredErrors) {
   EXPECT_EQ((along - load(two, 1).face_load.reverse()).norm(), 0.0);
 }
 
-// Law (5). The faces are 50 and 34 mm wide, so the halves have their middles at 14 and 10 mm. The
-// errors move the contact by about 1 mm. If the contact is inside the flanks, a slice has its
-// middle within h/2 of the point of contact, where h is the width of a slice. With a crowning C,
-// the gap in this middle is less than C (h/b_B)². The force of a half is 0.002 N, and a slice is
-// stiffer than 1 N/µm.
+// Law (5). The faces are 50 and 34 mm wide, so the middles of their halves are at 14 and 10 mm. The
+// errors move the contact by about 1 mm. If the contact lies inside the flanks, the middle of some
+// slice lies within h/2 of the point of contact, where h is the width of a slice. With a crowning C
+// over the face width b, the gap in this middle is less than C (h/b)². The force of a half is 0.002
+// N, and a slice is stiffer than 1 N/µm.
 TEST(LoadedHalves, TouchWhereTheyTouchWithoutLoad) {
   constexpr double kCrowning = 0.01, kYield = 2e-6;  // mm
   const ContactErrors errors{.crossing = Angle::degrees(0.01),

@@ -49,8 +49,8 @@ TEST(ProposedFlanks, RootReliefOfGear1ReplacesTheTipReliefOfGear2) {
       const auto relief = propose_relief(arranged, task, *compliance, ReliefLength::long_relief);
       ASSERT_TRUE(relief && *relief);
       const ReliefProposal& p = **relief;
-      // With this amount, the tip carries no load in front of the start of the path. A root relief
-      // would continue beyond the start of the path.
+      // With this amount, the tip carries no load before the start of the path of contact. A root
+      // relief would continue beyond this start.
       const double amount = 1.2 * p.deflection[1];
       const auto loaded_with = [&](const PairModifications& m) {
         LoadTask own = task;
@@ -88,8 +88,9 @@ TEST(ProposedFlanks, SlopeIsTheDeflectionOnAWiderFace) {
   EXPECT_FALSE(propose_lead({}, 0.0, 30, 30).any());
 }
 
-// [T12.32]: if a plane is inclined by F over the face, a flank with crowning C touches it at a
-// distance of F b/(8 C) from the middle. This distance is a quarter of the face.
+// [T12.32]: if a mating plane is inclined by F over the face width b, a flank with the crowning C
+// touches it at the distance F b/(8 C) from the middle. With the proposed crowning, this distance
+// is a quarter of the face width.
 TEST(ProposedFlanks, CrowningKeepsTheContactInTheMiddleHalf) {
   constexpr double kF = 0.016;
   constexpr double kFace = 40.0;

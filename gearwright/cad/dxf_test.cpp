@@ -299,7 +299,7 @@ TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
 
 TEST(Dxf, RefusesWhatIsNoGear) {
   ToothedBody body = testing::sample_body({});
-  // The root diameter is 35. Only the corner of the keyway lies outside the root circle.
+  // The root diameter is 35 mm. The last bore is smaller, but its keyway extends beyond the root.
   body.bore = Bore{34.9};
   EXPECT_TRUE(static_cast<bool>(dxf_drawing(body)));
   body.bore = Bore{35.1};

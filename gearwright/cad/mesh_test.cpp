@@ -129,8 +129,9 @@ TEST(Mesh, EnclosesSectionAreaTimesFaceWidth) {
 }
 
 TEST(Mesh, VolumeConvergesAsTheTolerance) {
-  // Chord errors are of second order in the step. The tolerance is proportional to them, so their
-  // ratio is constant.
+  // The chord errors are proportional to the tolerance, because the step is proportional to its
+  // square root. The error of the volume therefore decreases by a factor of about 100 with a
+  // tolerance 100 times smaller.
   const ToothedBody body = sample_body({.teeth = 24, .beta = 0.3});
   const double exact = metal_area(body) * body.face_width;
   const double coarse = std::abs(mesh_volume(mesh_of(body, 0.01)) / exact - 1.0);
@@ -263,8 +264,8 @@ TEST(Mesh, ToothKIsToothZeroTurned) {
 }
 
 TEST(Mesh, GrowsInProportionToTheTeeth) {
-  // The same half tooth occurs 20 and 40 times. The expected numbers are 2 n columns per tooth and
-  // 2 triangles per column.
+  // The same half tooth occurs 20 and 40 times. A tooth has 2 n columns of the wall, and a column
+  // has 2 triangles.
   const auto counts = [](int copies) {
     ToothedBody body = few_tooth_body(3, 4, 0.0, 10);
     Outline& o = body.outline;
@@ -323,7 +324,8 @@ TEST(Mesh, ShadedTwinHasTheExactNormals) {
       }
     }
     // The normal of a facet and the surface normals at its corners differ at most by the change of
-    // direction across the facet, which is 0.26 rad along the section and 0.26 rad over the level.
+    // direction across the facet. This change is at most 0.26 rad along the section and 0.26 rad
+    // between two levels.
     EXPECT_GT(worst, std::cos(2 * 0.26)) << name;
   }
 }

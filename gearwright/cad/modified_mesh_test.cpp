@@ -157,7 +157,7 @@ double removed_from_flanks(const ModifiedGear& g) {
 }
 
 // A tip relief does not change the fillet, so only the flanks contribute. The modified flank does
-// not end at the unmodified tip edge. It continues by c sin α before it meets the tip cylinder. The
+// not end at the unmodified tip edge. It continues beyond it by c sin α to the tip cylinder. The
 // integral does not include this part, which is 0.6 % here.
 TEST(ModifiedMesh, removes_the_integral_of_the_modification) {
   for (Gear gear : {external(17, 0.0), external(21, 20.0), external(17, -15.0)}) {

@@ -167,7 +167,7 @@ TEST(Walls, RefusesWhatIsNoBody) {
   EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");
 }
 
-// The flank has a jump of 0.01 mm in its middle, so no spline approximates it.
+// The flank has a jump of 0.01 mm in its middle, so no spline can approximate it.
 class Torn final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override {

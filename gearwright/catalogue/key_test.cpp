@@ -48,7 +48,7 @@ TEST(Keys, a_place_takes_what_the_key_says) {
     for (const Key& key : table->keys) {
       if (!key.place || key.place.kind() == KeyKind::any)
         continue;  // the key is read elsewhere or is only checked
-      // If the value may have several forms, the place takes its number.
+      // If the value may have several forms, its place stores a number.
       const KeyKind kind = key.kind == KeyKind::any ? KeyKind::number : key.kind;
       EXPECT_EQ(key.place.kind(), kind) << table->name << "." << key.key;
       EXPECT_TRUE(!key.place.is_angle() || key_unit(key.key) == "deg") << key.key;

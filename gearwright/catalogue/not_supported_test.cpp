@@ -29,7 +29,8 @@ TEST(NotSupported, a_value_may_be_refused_where_the_key_is_known) {
   EXPECT_TRUE(not_supported("gear1.teeth").empty());
 }
 
-// If a key is supported, its row must be deleted.
+// No row of the table names a key that the spec accepts. When a key becomes supported, its row must
+// be deleted.
 TEST(NotSupported, no_known_key_is_refused) {
   for (const Key& key : spec_keys().keys) {
     const std::string top(key.key);

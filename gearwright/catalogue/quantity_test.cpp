@@ -3,7 +3,7 @@
 //   (1) a key occurs once in a record, and if it ends with a unit, the unit is the right one
 //   (2) the words are a term with a small first letter; words and meaning have no full stop
 //   (3) a value has the declared type and lengths; it is never null if it is always present
-//   (4) all interfaces give the value of the getter: if JSON has null, users see no number
+//   (4) all interfaces give the value of the getter; if the JSON value is null, none shows a number
 //   (5) a key that occurs in several tables with the same words and the same symbol is a term
 //   (6) the type of a getter shows the lengths of lists and whether a value can be null
 #include "gearwright/catalogue/quantity.hpp"

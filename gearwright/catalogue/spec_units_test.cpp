@@ -1,5 +1,6 @@
-// The units of all keys, for specs in inch. A number in a table whose own key is a length is in the
-// unit of that key, except for keys with a unit of their own and for pure numbers.
+// The units of all keys, for specs in inch. If the key of a table ends with a unit of length, the
+// numbers in this table are in the same unit. Numbers whose own keys have a unit and pure numbers
+// are exceptions.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,5 +1,6 @@
-// Keys of a file replace the members of structs, a second replacement changes nothing, and other
-// words are unchanged.
+// Texts about the members of structs are rewritten for the user of a file: the keys of the file
+// replace the names of the members. A second replacement changes nothing, and other words are
+// unchanged.
 #include "gearwright/catalogue/spelling.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ TEST(Spelling, a_member_is_searched_in_its_table_and_then_in_the_spec) {
   EXPECT_EQ(shown("gear1.material.name", "34CrMo4"), "gear1.material.name = \"34CrMo4\"");
 }
 
-// If a spec gives a key, the member that this key sets is spelled with the same key.
+// If a spec contains a key, an error about a member that this key sets names this key.
 TEST(Spelling, every_key_is_found_by_its_member) {
   for (const Key& table : spec_keys().keys) {
     if (table.tables.empty()) continue;

@@ -100,8 +100,8 @@ Shaft with_cones(const Shaft& shaft, double angle) {
   return cones;
 }
 
-// The difference consists of 0.2 % by the width of the bearings in the bricks, and 0.25 % by the
-// displacements at the bearings, where sections do not remain plane.
+// The difference consists of 0.2 % due to the width of the bearings in the bricks, and 0.25 % due
+// to the displacements at the bearings, where sections do not remain plane.
 TEST(ShaftBricks, PlainShaft) {
   const BrickShaft b = brick_shaft("plain");
   const BrickDifferences d = differences_of(b, b.shaft);

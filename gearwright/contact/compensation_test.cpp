@@ -88,8 +88,8 @@ TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   EXPECT_LT(std::abs(found.after.along_face), 0.02);
 }
 
-// One helix slope is the mirror image of the error of an uncrowned pair, and this slope removes the
-// error completely. Crowning then has nothing to improve.
+// For an uncrowned pair, one helix slope has exactly the opposite effect of the error and removes
+// it completely. Crowning then has nothing to improve.
 TEST(Compensation, uncrowned_flanks_need_no_crowning) {
   for (const double error_um : {-40.0, 10.0}) {
     Case c;

@@ -1,6 +1,7 @@
-// The oracle is the peak to peak of TE at thousands of positions (a comb). Laws: (1) the range from
-// `least` to `greatest` contains TE of all touches   (2) the result does not depend on the number
-// of positions   (3) span_slope() is the limit of differences of the span.
+// The oracle is the peak to peak of TE at thousands of positions (a comb). Laws: (1) the span is
+// not less than that of a comb, and exceeds it by at most the error of the comb   (2) the result
+// does not depend on the number of positions   (3) span_slope() is the limit of differences of the
+// span.
 #include "gearwright/contact/continuous.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +77,7 @@ TEST(Continuous, DoesNotDependOnThePositions) {
   const ContactPair pair = sample.pair();
   const double few = continuous(pair, 32);
   for (const int n : {33, 96, 128, 1000}) EXPECT_NEAR(continuous(pair, n), few, 1e-11) << n;
-  // The error of a comb is more than a thousand times the limit above.
+  // The error of a comb of 32 positions is more than a thousand times the limit above.
   EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
 }
 

@@ -1,4 +1,4 @@
-// The small problem of each step is verified by the conditions for a maximum.
+// The solution of the small problem of each step satisfies the conditions for a maximum.
 #include "gearwright/contact/feasible_step.hpp"
 
 #include <gtest/gtest.h>

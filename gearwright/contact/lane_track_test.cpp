@@ -1,7 +1,7 @@
 // Compares the search in lanes with the search of one position after the other. Laws: (1) a step in
 // lanes returns the bits of its scalar instance   (2) the touches of a pitch are those of
 // over_a_pitch()   (3) the extremes are those of continuous_extremes()   (4) arm and slope are
-// exact.
+// those of the field at the touch.
 #include "gearwright/contact/lane_track.hpp"
 
 #include <gtest/gtest.h>

@@ -100,7 +100,7 @@ TEST(Profile, goes_on_beyond_its_ends) {
   }
 }
 
-// A flank turns by 1/arm per mm removed, and k² = (1 + θ′²)/ρ² + twist² for all kinds of profile.
+// A flank turns by k = 1/arm per mm removed. For all kinds of profile, k² = (1 + θ′²)/ρ² + twist².
 TEST(Profile, turn_per_removal) {
   for (const Named& n : arcs_of_all_kinds()) {
     SCOPED_TRACE(n.name);

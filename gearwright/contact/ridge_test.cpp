@@ -111,7 +111,8 @@ TEST(Ridge, a_relief_of_nothing_has_none) {
 }
 
 // The gap around the touch is computed only from the fields of both sides. It is a parabola along
-// the ridge and linear across it, with second-order terms on each side that follow from K.
+// the ridge and linear across it. The second-order terms on each side follow from the relative
+// curvature K.
 TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
   int seen = 0;
   for (const Where where : {Where::tip1, Where::tip2, Where::root1, Where::end1}) {

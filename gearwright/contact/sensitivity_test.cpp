@@ -46,14 +46,16 @@ TEST(Sensitivity, of_conjugate_gears) {
   }
 }
 
-// The pair touches at an end of the narrower face, the face of gear 2. f_Hβ of a gear tilts its
-// flank about the middle of its face. The axial position of the edge of gear 2 does not change.
+// The pair touches at an end of the narrower face, the face of gear 2. f_Hβ of a gear turns the
+// section at the height z by κ z, where z is measured from the middle of its face. The axial
+// position of the edge of gear 2 does not change.
 TEST(Sensitivity, helix_slopes_at_a_face) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.crossing = Angle::radians(1e-5);
   const auto s =
       by(p, {{ErrorKind::helix_slope1}, {ErrorKind::helix_slope2}, {ErrorKind::crossing}});
-  // At z = −9 mm, κ1 z of gear 1 acts on TE through the gear ratio, and κ2 Z acts directly.
+  // At z = −9 mm, κ1 z of gear 1 acts on TE through the gear ratio, and κ2 z of gear 2 acts
+  // directly.
   EXPECT_NEAR(s[0].te, 9.0 / (20.0 * 20.0) * 20.0 / 41.0, 1e-7);
   EXPECT_NEAR(s[1].te, 9.0 / (41.0 * 18.0), 1e-7);
   EXPECT_NEAR(s[2].te, 9.0 / 41.0, 1e-4);

@@ -69,8 +69,8 @@ TEST(Transmission, lost_contact_is_a_fact) {
   EXPECT_TRUE(r.harmonics.empty());
 }
 
-// The TE curve of misaligned circular arcs is a saw tooth. Its peak to peak and its harmonics agree
-// with the values of the curve.
+// The TE curve of misaligned circular arcs is a saw tooth. Its peak to peak and its harmonics are
+// those of the values of the curve.
 TEST(Transmission, numbers_of_a_curve) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(2e-4);

@@ -1,7 +1,7 @@
-// The point of a design. Laws: (1) it is within all limits and away from the borders; (2) if the
-// point of balanced strength (Eq. 11) with Σ = 0 lies well inside, it is chosen; (3) the row does
-// not depend on whether the region is computed; (4) a gap is negative if and only if a corner of
-// the mounted pair cuts into a fillet.
+// The point of a design. Laws: (1) it is within all limits, and for most designs away from the
+// borders; (2) if the point of balanced strength (Eq. 11) with Σ = 0 lies well inside, it is
+// chosen; (3) the row does not depend on whether the region is computed; (4) a gap is negative if
+// and only if a corner of the mounted pair cuts into a fillet.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // Strength of designs. Laws: (1) the closed forms give the pair that is cut and mounted, with the
 // same safety factors; (2) a search with required safety factors finds the designs of the search
 // without them, except for those whose factors are too low; (3) lists by mass and by safety are
-// sorted; (4) a greater load removes designs and adds none; (5) the face width is the smallest of
-// its band that is sufficient for the nominal values and at the tolerance ends, and at most two
-// drawings are checked to find it.
+// sorted; (4) the number of designs does not increase with the load; (5) the face width is the
+// smallest of its band that is sufficient for the nominal values and at the tolerance ends, and at
+// most two drawings are checked to find it.
 #include "gearwright/design/design_strength.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Laws: (1) a search finds the same sets as a separate computation that makes the drives of all
-// numbers of teeth; (2) it finds the sets with a ratio near 100 that another method counted; (3)
+// numbers of teeth; (2) it finds the set with a ratio near 100 in the table of the theory page; (3)
 // the ratio of a train is the ratio of its drive; (4) the noise of sets is the spread that a count
 // of their tooth pairs in contact gives, and a list by noise is sorted.
 #include "gearwright/design/drive_search.hpp"
@@ -293,9 +293,9 @@ TEST(DriveSearchTest, EndsAreThreeBodies) {
 }
 
 // Returns the number of spur tooth pairs of one planet in contact at the sun, or at the ring if
-// `at_ring`, divided by ε_α. It counts the flanks between the ends of the path. The flanks of a
-// tooth of the planet are half a pitch apart, so the contacts at the ring are delayed by half the
-// teeth of the planet minus half a pitch.
+// `at_ring`, divided by ε_α. It counts the flanks between the ends of the path. The two flanks of a
+// tooth of the planet are half a pitch apart. The contacts at the ring are therefore delayed by
+// half the number of teeth of the planet minus half a pitch.
 double pairs_in_contact(const TeethOfPlanet& z, bool at_ring, double t) {
   const double alpha = Angle::degrees(20).rad();
   const auto tip = [&](int teeth, double addendum) {
@@ -344,7 +344,8 @@ TEST(DriveSearchTest, NoiseIsTheSpreadOfCountedContacts) {  // (4)
   }
 }
 
-// A planet that meshes with two rings lies beside both, so it is wider than both together.
+// A planet that meshes with two rings spans both. Its face width is the sum of theirs plus two
+// modules.
 TEST(DriveSearchTest, APlanetSpansItsTwoRings) {
   DriveCandidate candidate;
   candidate.module = 2.0;

@@ -113,8 +113,8 @@ TEST(Fit, parallel_axes_come_out_of_it) {
   EXPECT_GT(fit(s)->branches.at(0).shift[0] + fit(s)->branches.at(0).shift[1], 0.5);
 }
 
-// If the helix angles and the centre distance are known, the result is the pair for which this
-// distance is the minimum.
+// If the helix angles and the centre distance are given but the shaft angle is not, the result is
+// the shaft angle and the shifts for which the given centre distance is the least possible one.
 TEST(Fit, an_absent_angle_is_that_of_the_least_distance) {
   FitProblem p = problem(12, 24);
   p.helix = {45_deg, 45_deg};

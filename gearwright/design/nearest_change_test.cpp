@@ -225,8 +225,8 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     EXPECT_FALSE(feasible(p)) << what;  // `from` is the given value
     set(p, member(c), to);
     EXPECT_TRUE(feasible(p)) << what;  // (1)
-    // The text contains the change with four digits, rounded outwards, so the required change is at
-    // most 1.1e-3 smaller.
+    // The text contains the change with four digits, rounded outwards. The required change is
+    // smaller by at most 1.1e-3 of itself.
     auto less = to;
     for (const std::size_t i : {0, 1}) {
       const double move = to[i] - from[i];

@@ -1,7 +1,7 @@
 // The graph is compared with the results of mounted pairs, for every kind of mounting. Laws: (1)
-// margin() and the results agree on which points are inside; (2) the ends of a slice lie on the
-// limits that it names, and its interior is within them; (3) the feasible sums are exactly those
-// with a slice.
+// margin() and the results agree on which points are inside; (2) each end of a slice lies on a
+// limit, and its interior is within all limits; (3) the feasible sums are exactly those with a
+// slice.
 #include "gearwright/design/shift_graph.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Regions are compared with the five regions of the reference, to its printed digits. Laws for
 // every kind of mounting: (1) the boundary is traversed once, counter-clockwise, and each edge lies
-// on the limit that it names; (2) the area equals that of a fine grid of points at which the pair
-// is feasible; (3) the balanced point lies inside, on the line of balanced strength (Eq. 11).
+// on a limit; (2) the area equals that of a fine grid of points at which the pair is feasible; (3)
+// the balanced point lies inside, on the line of balanced strength (Eq. 11).
 #include "gearwright/design/shift_region.hpp"
 
 #include <gtest/gtest.h>

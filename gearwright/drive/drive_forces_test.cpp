@@ -1,6 +1,6 @@
 // Laws: (1) closed forms of a helical planet between sun and ring; (2) the forces on the planets
 // act on the carrier with the torque of the power flow; (3) axial forces of all bodies add up to 0;
-// (4) a pair has the forces of the common normal; (5) closed forms of both places of an idler.
+// (4) closed forms of both places of an idler.
 #include "gearwright/drive/drive_forces.hpp"
 
 #include <gtest/gtest.h>
@@ -85,10 +85,11 @@ TEST(DriveForces, BalanceTheTorquesOfThePowerFlow) {
               1e-12);
 }
 
-// Law (5). r_1 and r_2 point from the axis of the idler to the axes of the sun and of the planet. The
-// sun turns counter-clockwise and pushes the idler by −F_t z × r_1 − F_r r_1, and the planet resists
-// with F_t z × r_2 − F_r r_2. Both sums are parallel to r_1 + r_2. They have the same sense if r_2 is
-// counter-clockwise from r_1, which is so if the idler is counter-clockwise from the planet.
+// Law (4). r_1 and r_2 point from the axis of the idler to the axes of the sun and of the planet.
+// The sun turns counter-clockwise and pushes the idler by −F_t z × r_1 − F_r r_1, and the planet
+// resists with F_t z × r_2 − F_r r_2. Both sums are parallel to r_1 + r_2. They have the same sense
+// if r_2 is counter-clockwise from r_1, which is so if the idler is counter-clockwise from the
+// planet.
 TEST(DriveForces, OfAnIdlerDependOnItsSide) {
   PlanetarySpec set = helical_set(0.0, 1.0);
   set.z(M::sun) = 26;

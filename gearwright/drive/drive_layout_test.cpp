@@ -247,7 +247,7 @@ TEST(DriveLayout, GearsThatCutEachOtherStandBesideEachOther) {
   EXPECT_EQ(layout.sections[1].gears.size(), 3u + 1u);
   const Drive simple = laid_drive(sets().front());
   EXPECT_EQ(laid(simple).sections.size(), 1u);
-  // One planet gear meshes with two rings, and is as wide as both.
+  // One planet gear meshes with two rings. It is as wide as both rings and a gap of two modules.
   PlanetarySpec wolfrom = toothed_set({{M::planet, 21}, {M::ring, 57}, {M::ring2, 60}}, 3);
   wolfrom.inputs = {"carrier"};
   wolfrom.output = "ring2";

@@ -1,6 +1,6 @@
-// Laws: (1) both ends of a stated range make a drive without faults, and the next value does not;
-// (2) the faults of a drive state the range; (3) a backlash is possible up to the stated limit, and
-// not 0.01 mm beyond it.
+// Laws: (1) both ends of a stated range make a drive without faults, and a value slightly outside
+// the range does not; (2) the faults of a drive state the range; (3) a backlash is possible up to
+// the stated limit, and not 0.002 mm beyond it.
 #include "gearwright/drive/geometry_remedy.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Laws: (1) a spring is exact at its nodes, rises, and its inverse returns the approach; (2) nodes
-// of a line give the line; (3) the slope is the derivative; (4) bodies between springs are in
-// equilibrium, and a linear problem has its closed form; (5) a body that no spring touches does not
-// move.
+// Laws: (1) a spring is exact at its nodes, its force increases with the approach, and its inverse
+// returns the approach; (2) nodes of a line give the line; (3) the slope is the derivative; (4)
+// bodies between springs are in equilibrium, and a linear problem has its closed form; (5) a body
+// that no spring touches does not move.
 #include "gearwright/drive/load_sharing.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Laws: (1) equal planets at equal phases share equally, and the shares add up to 1; (2) a drive of
 // one mesh has the loaded curve of its pair; (3) very stiff teeth have the curve of rigid teeth;
 // (4) between the solved loads, the springs agree with direct solutions; (5) an error of a pin in
-// the direction of the sun's push unloads its planet; (6) drives of other kinds are rejected with
-// the reason; (7) stepped planets with equal gears include all states of plain planets.
+// the direction of the sun's push unloads its planet; (6) impossible loads are rejected with the
+// name of the input; (7) stepped planets with equal gears include all states of plain planets.
 #include "gearwright/drive/loaded_drive.hpp"
 
 #include <gtest/gtest.h>
@@ -106,7 +106,7 @@ TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
 }
 
 // The sun turns counter-clockwise in the carrier, and planet i is i/3 of a turn ahead of planet 0
-// in this sense. Its share equals the share of planet 0 γ_i = 20 i/3 pitches earlier.
+// in this sense. Its share equals the share that planet 0 had γ_i = 20 i/3 pitches earlier.
 TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
   constexpr int kPositions = 6;
   const Drive drive = loaded_set({{20, 25, 70}});

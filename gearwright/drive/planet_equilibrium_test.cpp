@@ -1,10 +1,10 @@
-// Laws of planets between springs: (1) equal springs share equally; (2) with a floating sun, three
-// planets share equally for any errors of their pins, and with stiff springs only the mean of the
-// rigid curves remains; (3) with a centred sun, linear springs have the closed form of the share;
-// (4) losses scale the forces in the mesh with the ring by the efficiencies, as in [T13.6]; (5)
-// random sets, with one planet or two meshed planets on each arm and a floating sun, ring or
-// carrier, agree with the minimisation of the energy in tests/oracle/planets; (6) the work of the
-// teeth of several sets equals the work of the output.
+// Laws of planets between springs: (1) equal springs share equally; (2) with a floating sun, ring
+// or carrier, three planets share equally for any errors of their pins, and with stiff springs only
+// the mean of the rigid curves remains; (3) with a centred sun, linear springs have the closed form
+// of the share; (4) losses scale the forces in the mesh with the ring by the efficiencies, as in
+// [T13.6]; (5) random sets, with one planet, two meshed planets or a stepped planet on each arm and
+// a floating sun, ring or carrier, agree with the minimisation of the energy in
+// tests/oracle/planets; (6) the work of the teeth of several sets equals the work of the output.
 #include "gearwright/drive/planet_equilibrium.hpp"
 
 #include <fmt/format.h>

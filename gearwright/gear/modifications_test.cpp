@@ -396,9 +396,9 @@ TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
   EXPECT_EQ(refusal_of(tip(0.02, 48.0)), "tip_relief.reach");
   EXPECT_EQ(refusal_of(tip(-0.02, 46.0)), "tip_relief.amount");
   EXPECT_EQ(refusal_of(tip(NAN, 46.0)), "tip_relief.amount");
-  EXPECT_EQ(refusal_of(tip(0.4, 41.0)), "tip_relief.amount");  // a tenth is 0.325
+  EXPECT_EQ(refusal_of(tip(0.4, 41.0)), "tip_relief.amount");  // a tenth of the flank is 0.325 mm
   EXPECT_EQ(refusal_of(tip(0.3, 41.0)), "");
-  EXPECT_EQ(refusal_of(tip(0.0999, 46.5)), "");  // the relief is 0.5 mm deep
+  EXPECT_EQ(refusal_of(tip(0.0999, 46.5)), "");  // 0.5 mm deep, at most 1 in 5
   EXPECT_EQ(refusal_of(tip(0.1001, 46.5)), "tip_relief.amount");
   FlankModifications m = tip(0.0501, 46.5);
   m.tip_relief.shape = ReliefShape::parabolic;  // the slope at the end doubles

@@ -1,5 +1,5 @@
-// The laws of every curve's jet, by the same code. The derivatives are central differences of
-// point() in 50 digits.
+// Tests the laws of the jets of all curves with the same code. The derivatives are compared with
+// central differences of point() in 50 digits.
 //
 //   W    point as a complex number       W′, W″   its derivatives with respect to the parameter
 //   h    step 1e-15; the differences have errors of about h² = 1e-30 and 1e-50/h² = 1e-20
@@ -148,7 +148,7 @@ void expect_envelope_laws(const PinionMotion& motion, const CurvePtr& cutter, co
       };
       const PinionEnvelope curve(motion, cutter, walk, meeting);
       ASSERT_TRUE(curve.reaches(t));
-      // s is set to 0 if the tangent points the other way. Such a curve is no outline.
+      // If the tangent points the other way, s is 0. Such a curve is no outline.
       if (exact(Exact(t)).contact.s > 0) expect_laws(curve, exact, t);
     }
   }

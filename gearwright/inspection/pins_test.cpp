@@ -25,8 +25,8 @@ Gear helical(int teeth, double module, double beta_deg, double x) {
 }
 Gear spur(int teeth, double module, double x) { return helical(teeth, module, 0.0, x); }
 
-// The nearest standard size, 3.5 mm, does not project beyond the tip. The next size that can be
-// measured is 3.75 mm.
+// The standard size nearest to the ideal size, 3.5 mm, does not project beyond the tip. The next
+// size that can be measured is 3.75 mm.
 TEST(BallSizes, TheStandardSizeCanBeMeasured) {
   auto spec = testing::plain_spec({.teeth = 30, .module = 2.0, .face_width = 20.0});
   spec.tip_diameter = 65.0;

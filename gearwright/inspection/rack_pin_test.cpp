@@ -1,7 +1,7 @@
 // Tests the laws of a measuring pin on a rack with the outline of its teeth.
 //
-// (1) The outline of a whole space, sampled in the normal section, has a distance of D_M/2 from the
-//     axis of the pin on both flanks, and no smaller distance anywhere.
+// (1) The outline of half a space, sampled in the normal section, has the least distance D_M/2 from
+//     the axis of the pin. The space is symmetric, so the pin touches both flanks and nothing else.
 // (2) A thickness allowance E_sn changes the dimension by E_sn/(2 tan α_n).
 // (3) The dimension over a ball in a wheel of z teeth approaches the dimension over the pin like
 //     1/z.

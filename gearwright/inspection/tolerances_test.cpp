@@ -105,8 +105,8 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   EXPECT_TRUE(later.base_pitch);
 }
 
-// By [T10.37], the tolerance of k pitches lies on the straight line through f_ptT for k = 0 and
-// F_pT for k = z/4. With z = 8 k, it is their mean before rounding.
+// According to [T10.37], the tolerance of k pitches lies on the straight line through f_ptT for k =
+// 0 and F_pT for k = z/4. With z = 8 k, it is their mean before rounding.
 TEST(FlankTolerances, of_a_sector_lie_between_pitch_and_total) {
   for (const int z : {16, 24, 80}) {
     const double m = 4.0, d = m * z;

@@ -226,7 +226,7 @@ TEST(DriveAnswerTest, SearchesLimitTheSpecificSliding) {
             "search.sliding_max");
 }
 
-// A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has
+// A listed drive has the backlash of a series of DIN 3967 in every mesh, unless the search has
 // allowances of its own, and the verdict of its spec is green.
 TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
   for (const std::string kind : {"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [15, 24]\n",

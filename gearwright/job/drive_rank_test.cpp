@@ -125,8 +125,9 @@ TEST(DriveRank, TheLightestDriveComesFirst) {
   }
 }
 
-// Laws (1) and (2) for rated trains whose stages have their own modules. Trains of one ratio, or of
-// one number of planets, are sorted by their size, which follows from the chosen modules.
+// Law (1) for rated trains whose stages have their own modules. Trains of one ratio, or of one
+// number of planets, are sorted by their size, which follows from the chosen modules. Only the
+// first train is compared.
 TEST(DriveRank, TrainsOfOneRatioAreSortedByTheirSize) {
   for (const char* objective : {"ratio", "planets"}) {
     const std::string keys = fmt::format(

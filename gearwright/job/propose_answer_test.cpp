@@ -204,7 +204,7 @@ TEST(Propose, EqualGearsGetEqualReliefs) {
     EXPECT_EQ(*one.tip_start, *two.tip_start);
     EXPECT_GT(*one.tip_relief, 0.004);
   }
-  // Long reliefs are twice as long as short reliefs, and they make this pair much quieter.
+  // A long relief starts nearer to the root than a short one. It makes this pair much quieter.
   EXPECT_LT(*a.proposals[2].gears[0].tip_start, *a.proposals[1].gears[0].tip_start);
   EXPECT_LT(a.proposals[2].worst.peak_to_peak.rad(), 0.5 * a.proposals[0].worst.peak_to_peak.rad());
   EXPECT_TRUE(a.proposals[0].worst.edge_carries);
@@ -230,7 +230,8 @@ TEST(Propose, AmountsAreDeflectionAndPitchDeviationOfTheirGear) {
   };
   for (const std::size_t g : {0, 1}) {
     EXPECT_NEAR(amounts(false, false)[g], std::ceil(1000 * (*a.short_deflection)[g]), 1e-9);
-    // Both amounts are rounded up, from the same deflection.
+    // Both amounts are rounded up. They follow from the same deflection, with and without the pitch
+    // deviation.
     const double more = amounts(true, true)[g] - amounts(true, false)[g];
     EXPECT_GE(more, std::floor(1000 * pitch) - 1e-9);
     EXPECT_LE(more, std::ceil(1000 * pitch) + 1e-9);

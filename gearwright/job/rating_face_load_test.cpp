@@ -34,7 +34,7 @@ Json face_rated(const Json& tree) {
   return answer["rating"];
 }
 
-// K_Hβ of the verb `load` with this deflection slope.
+// Returns K_Hβ as the verb `load` computes it with this deflection slope.
 double face_load_of(Json tree, double torque_Nm, double slope_um) {
   tree.erase("rating");
   tree["load"]["torque_Nm"] = torque_Nm;

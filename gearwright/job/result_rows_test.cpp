@@ -1,4 +1,5 @@
-// Laws of the rows of the page, for every example:
+// Laws of the rows of the page. Laws (1) and (2) are tested for every example without tolerances
+// that is no drive.
 //
 //   (1) each row of the listings of the gears and the pair is a row of the page: the same words,
 //       symbol, values and unit

@@ -42,7 +42,8 @@ std::string listed(UnitSystem units, const std::vector<Shaft>& shafts) {
                      {"length_mm", "half_mm", "end_mm", "inner.force_N", "ratio", "unknown"});
 }
 
-// The two lengths have the same symbol, so their columns have words. No shaft has a load.
+// The two lengths have the same symbol, so the heads of their columns are words. No shaft has a
+// load, so there is no column of loads.
 TEST(RowListing, has_a_line_for_each_record) {
   EXPECT_EQ(listed(UnitSystem::mm, {{25.4, {1, 2}, {}}, {127, {3, 4}, {}}}),
             "                          length of\n"

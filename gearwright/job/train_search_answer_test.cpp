@@ -1,8 +1,9 @@
-// Searches for trains: (1) a list of modules finds a train that is not larger than those of its
-// modules alone; (2) the axial forces on an intermediate shaft have opposite directions; (3) each
-// stage has the least module with which it has the required safeties; (4) the spec of a design
-// describes the drive that the search computed; (5) with several objectives, a short list contains
-// the Pareto front of the complete list, if there is room.
+// Searches for trains: (1) a search with a list of modules finds a train that is not larger than
+// the smallest train of a search with any single one of them; (2) the axial forces on an
+// intermediate shaft have opposite directions; (3) each stage has the least module with which it
+// has the required safeties; (4) the spec of a design describes the drive that the search computed;
+// (5) with several objectives, a short list contains the Pareto front of the complete list, if
+// there is room.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -268,7 +268,7 @@ TEST(PointContact, CarriesTheTorqueAndSharesIt) {
   EXPECT_GT(inside, 4);
 }
 
-// Reflection in a plane across the axes reverses both hands and the sign of the shaft angle.
+// Reflection in the plane z = 0 reverses both hands and the sign of the shaft angle.
 TEST(PointContact, TheOtherHandIsMirrored) {
   LoadRequest r = request_of(crossed());
   r.torques = {1e4};

@@ -1,7 +1,7 @@
 // Laws: (1) no trial leaves the box, and there are at most `evaluations`; (2) the returned point is
 // the best trial; (3) the minima of known functions are found; (4) an exception of f reaches the
-// caller; (6) infinite values and NaN do not stop the search. Oracle (5): the trials of NLopt
-// 2.7.1.
+// caller; (5) the trials are those of NLopt 2.7.1 (oracle); (6) infinite values and NaN do not stop
+// the search.
 #include "gearwright/math/minimise.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ double rosenbrock(const Point& x) {
   return f;
 }
 
-// Many local minima with creases; the least value is at p.
+// A function with creases and many local minima. Its least value is at p.
 double creased(const Point& x, const Point& p) {
   double f = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -111,7 +111,8 @@ TEST(Minimise, FindsTheMinimumBesideInfiniteValues) {
       for (const Minimiser how : kBoth) {
         MinimiserTask task = task_of(n, -1.0, 1.0, 2000);
         const Point p(n, 0.3);
-        // Finite only in the part x_0 ≥ 0.1 of the box, which contains the minimum and the start.
+        // The function is finite only in the part x_0 ≥ 0.1 of the box, which contains the minimum
+        // and the start.
         task.f = [&](const Point& x) { return x[0] < 0.1 ? lost : creased(x, p); };
         const Point found = minimise(how, task, Point(n, 0.5));
         ASSERT_EQ(found.size(), n);

@@ -54,8 +54,8 @@ TEST(ClosedForms, inverse_involutes_in_lanes_have_the_scalar_bits) {  // (1)
   }
 }
 
-// By docs/accuracy.md, the relative error of the iteration is at most 5.3e-16, and that of the
-// polynomials at most 2.6e-16. Together this is 7 ulp of an α just below a power of two. The
+// According to docs/accuracy.md, the relative error of the iteration is at most 5.3e-16, and that
+// of the polynomials at most 2.6e-16. Together this is 7 ulp of an α just below a power of two. The
 // greatest errors do not coincide, so the limit is 6 ulp.
 TEST(ClosedForms, inverse_involutes_are_where_the_iteration_ends) {
   const std::vector<double> y = involutes_of_all_sizes(200'001);

@@ -157,9 +157,9 @@ TEST(Pair, what_is_wrong_with_a_mesh_is_data) {
   EXPECT_TRUE(warns(close_ring, WarningCode::trochoid));
 }
 
-// Gears 7:80, β = 22°. By an independent program, the undercut flank of the pinion begins at ρ_1 =
-// 0.3424 mm, where ζ_1 = −8.14. At the point A of the tips, which contact does not reach, ζ_1 is
-// −30.84.
+// Gears 7:80, β = 22°. According to an independent program, the undercut flank of the pinion begins
+// at ρ_1 = 0.3424 mm, where ζ_1 = −8.14. At the point A of the tips, which contact does not reach,
+// ζ_1 is −30.84.
 TEST(MountParallel, sliding_is_that_of_the_usable_flanks) {
   const auto helical = [](int teeth, double x, Angle beta, double allowance) {
     CylindricalSpec s =

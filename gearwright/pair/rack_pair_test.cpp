@@ -3,9 +3,9 @@
 // (1) The differences between a pair with z2 teeth and the rack decrease like 1/z2 from 10⁴ to 10⁵
 //     teeth.
 // (2) If the distance increases by δ, the backlash along the line of action increases by 2 δ sin
-//     α_n and both clearances increase by δ. No angle changes.
+//     α_n and both clearances increase by δ. The travel per turn does not change.
 // (3) An allowance on the rack causes the same backlash as an equal allowance on the pinion.
-// (4) Doubling the module doubles every length.
+// (4) Doubling the module doubles lengths and changes no contact ratio.
 #include "gearwright/pair/rack_pair.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Plastics by VDI 2736, compared with a calculation by hand for a spur pair of module 1. Laws: (1)
+// Plastics to VDI 2736, compared with a calculation by hand for a spur pair of module 1. Laws: (1)
 // a doubled torque doubles σ_F and the temperature rise; (2) exchanging the gears does not change
 // the numbers; (3) strength decreases with temperature.
 #include "gearwright/rating/plastic.hpp"
@@ -56,7 +56,7 @@ TEST(Plastic, ValuesBetweenTemperatures) {
 
 TEST(Plastic, TemperaturesByHand) {
   const RatedPair pair = pair_17_39();
-  // Partial contact ratios from the tip circles, and the tooth loss factor by Ohlendorf.
+  // Partial contact ratios from the tip circles, and the tooth loss factor according to Ohlendorf.
   std::array<double, 2> part{};
   for (const std::size_t i : {0, 1}) {
     const RatedGear& g = pair.gears[i];
@@ -103,7 +103,7 @@ TEST(Plastic, StressesByHand) {
   const double F_t = 2000 * 0.2 / 17;
   EXPECT_NEAR(r.F_t.value, F_t, 1e-12);
   EXPECT_NEAR(r.Y_epsilon->value, 0.25 + 0.75 / pair.epsilon_alpha, 1e-15);
-  // The direction and the arm of the load at the tip circle, by DIN 3990-3, method C.
+  // The direction and the arm of the load at the tip circle, according to DIN 3990-3, method C.
   for (const std::size_t i : {0, 1}) {
     const RatedGear& g = pair.gears[i];
     const CriticalSection& s = r.section[i];

@@ -350,7 +350,8 @@ TEST(RatingLaws, ExchangedGearsHaveTheSameNumbers) {
   EXPECT_NEAR(a.K_v.value, b.K_v.value, 1e-12);
 }
 
-// More load, longer life, rougher flanks or coarser teeth never increase a safety factor.
+// More load, a less even load on the face, a longer life, rougher flanks, a coarser accuracy grade
+// or alternating load never increase a safety factor.
 TEST(RatingLaws, SafetiesFallWithEveryBurden) {
   const RatedPair pair = testing::helical_24_95();
   const RatingInput base = testing::helical_24_95_load();

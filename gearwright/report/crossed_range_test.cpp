@@ -71,8 +71,8 @@ TEST(CrossedRangePicture, ApproximationsOfTheExample) {
   const CrossedPair pair = testing::crossed_pair();
   const auto all = approximations(pair);
   ASSERT_EQ(all.size(), 5u);
-  // The data table of the example has 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual
-  // spur pair, and 18° 42' 18.6" by the corrected virtual spur pair.
+  // According to the data table of the example, three terms give 18° 42' 13.9", the virtual spur
+  // pair gives 18° 43' 15.4", and the corrected virtual spur pair gives 18° 42' 18.6".
   EXPECT_NEAR(all[2].normal_pressure_angle.deg(), 18 + (42 + 13.9 / 60) / 60, 0.05 / 3600);
   EXPECT_NEAR(all[3].normal_pressure_angle.deg(), 18 + (43 + 15.4 / 60) / 60, 0.05 / 3600);
   EXPECT_NEAR(all[4].normal_pressure_angle.deg(), 18 + (42 + 18.6 / 60) / 60, 0.05 / 3600);

@@ -209,7 +209,7 @@ TEST(Member, SpurGearsHaveClosedForms) {
     const double x = gamma * kRadPerDeg * std::cos(alpha);
     const double y = delta * kRadPerDeg * std::sin(alpha);
     const FamilyMember m = member_at(plain, d, {8, false, {}});
-    // The error is of second order in the angles, 0.03².
+    // The error is of second order in the angles, whose greatest value is 0.03°.
     const double second = 4 * 0.03 * 0.03 * kRadPerDeg * kRadPerDeg;
     const double one = b / (2 * r_b2) * std::abs(x + y);
     const double other = b / (2 * r_b2) * std::abs(x - y);

@@ -1,4 +1,4 @@
-// Law: no member has less play than the bound. Golden: the least play of spur gears by [T14.14].
+// Law: no member has less play than the bound. Golden: the least play of spur gears from [T14.14].
 #include "gearwright/scatter/play_bound.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Laws of corrections under load: (1) they never increase the percentile   (2) with tolerances of
-// width 0, they are the nominal optimum, which a scan finds   (3) they are the same, byte for byte,
+// width 0, they are the nominal optimum, which a scan finds   (3) they are the same, bit by bit,
 // for any number of threads. Oracle: the percentile from loaded_contact(), computed for each member
 // separately.
 #include <gtest/gtest.h>

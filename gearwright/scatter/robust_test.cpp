@@ -1,4 +1,4 @@
-// Laws: (1) corrections never increase the percentile   (2) the result is the same, byte for byte,
+// Laws: (1) corrections never increase the percentile   (2) the correction is the same, bit by bit,
 // for any number of threads. Oracle: the percentile over a dense scan of the correction, computed
 // for each member separately.
 #include "gearwright/scatter/robust.hpp"

@@ -1,6 +1,6 @@
-// Laws: (1) the result is the same, byte for byte, for any number of threads; (2) tolerances of
-// width 0 give the pair as drawn; (3) no sample is worse than the worst case. Golden: closed forms
-// of page 14.
+// Laws: (1) samples, percentiles and indices are equal, bit by bit, for any number of threads; (2)
+// tolerances of width 0 give the pair as drawn; (3) no sample is worse than the worst case. Golden:
+// closed forms of page 14.
 #include "gearwright/scatter/scatter.hpp"
 
 #include <gtest/gtest.h>
@@ -109,8 +109,8 @@ TEST(Scatter, NoWidthIsThePairAsDrawn) {
 }
 
 TEST(Scatter, PlainSpurGearsHaveAClosedDistribution) {
-  // The median and the 95 % point of |s| by [T14.14], with A_1 for Δγ = ±0.02° and A_2 for
-  // Δδ = ±0.03°.
+  // The median and the 95 % point of |s| from [T14.14], with A_1 for Δγ = ±0.02° and A_2 for Δδ =
+  // ±0.03°.
   const ContactSetup setup = testing::spur_pair(false).setup();
   const double r_b1 = setup.gear(1).base_radius();
   const double r_b2 = setup.gear(2).base_radius();

@@ -1,6 +1,7 @@
 // Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of
-// its shafts, and a planetary stage, alone or in a chain, has the teeth of its members   (3) broken input is an error
-// (4) a gear or a stage that is no part of the drive that is read is an error with its name.
+// its shafts, and a planetary stage, alone or in a chain, has the teeth of its members   (3) broken
+// input is an error   (4) a gear or a stage that is no part of the drive that is read is an error
+// with its name.
 #include "gearwright/spec/rexs_file.hpp"
 
 #include <gtest/gtest.h>

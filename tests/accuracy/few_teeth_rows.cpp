@@ -25,7 +25,7 @@ Circle circle_on_ray(double r_b, double psi_b, double xi, const Exact& gamma) {
   const Exact delta = Exact(psi_b) - Exact(xi);
   const Exact c = cos(delta), s = sin(delta);
   const Exact x = Exact(r_b) * (c - Exact(xi) * s), y = Exact(r_b) * (s + Exact(xi) * c);
-  // Along the normal (−s, c) from (x, y) to the ray u (cos γ, sin γ).
+  // t is the length along the normal (−s, c) from (x, y) to the ray u (cos γ, sin γ).
   const Exact cg = cos(gamma), sg = sin(gamma);
   const Exact t = (x * sg - y * cg) / (s * sg + c * cg);
   const Exact px = x - t * s, py = y + t * c;

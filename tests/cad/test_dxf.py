@@ -7,9 +7,9 @@ closed    the layer PROFILE is one closed chain, counter-clockwise and once arou
 bore      the layer BORE is a circle or a closed polyline inside the profile, or around it for an internal
           gear
 
-Usage: test_dxf.py [FILE.dxf ...]. Without files, the program (GW_BIN) exports sample gears, and the script
-checks these. First, each check is applied to a drawing that must fail it. Exit status 77: ezdxf is not
-installed.
+Usage: test_dxf.py [FILE.dxf ...]. Without files, the program (GW_BIN) exports sample gears, and the
+script checks these. First, all checks except the audit are applied to drawings that must fail them.
+Exit status 77: ezdxf is not installed.
 """
 
 import math
@@ -142,7 +142,7 @@ def faults_of(path):
 
 
 def try_the_checks(folder):
-    """Checks that each check rejects a drawing that has the error."""
+    """Checks that each check, except the audit, rejects a drawing that has the error."""
     def drawing(units=4, version="R2000", close=True, bulge=1.0, gap=0.0, bore=None):
         document = ezdxf.new(version, units=units)
         for layer in ("PROFILE", "BORE"):

@@ -45,7 +45,7 @@ class BadInput(unittest.TestCase):
                      "normal_module_mm", verb="gear")
         self.refused(GEAR + "helix_angle_deg = 10\nlead_angle_deg = 70\nhand = \"right\"", "gear1.lead_angle_deg",
                      "helix_angle_deg", verb="gear")
-        # if a value is given twice, both must agree
+        # If a value is given twice, both must agree.
         self.assertEqual(Run("gear", GEAR + "normal_diametral_pitch_per_in = 12.7").status, 0)
 
     def test_impossible_pairs(self):
@@ -80,7 +80,7 @@ class BadInput(unittest.TestCase):
         gear = r.json["gears"][0]
         self.assertTrue(gear["severed"] or gear["through_axis"])
         self.assertEqual(Run("outline", GEAR.replace("20", "3") + "profile_shift = -1").status, 1)
-        # run: the report gives the reason why the gear does not exist, and there are no CAD files
+        # The report of `run` states why the gear does not exist. There are no CAD files.
         r = Run("run", GEAR.replace("20", "3") + "profile_shift = -1")
         self.assertEqual(r.status, 0, r.err)
         self.assertEqual(r.files(), ["case.toml", "case_out/report.html", "case_out/result.json"])

@@ -31,7 +31,8 @@ def table(text):
 
 class Start(unittest.TestCase):
     def test_an_answer_starts_at_once(self):
-        """Measures the time of the processor, which other programs on the machine hardly change. A pair takes about 11 ms."""
+        """Measures processor time, which other programs on the machine hardly affect. A pair takes
+        about 11 ms."""
         def seconds(*args):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
             self.assertEqual(raw(*args).returncode, 0)
@@ -99,8 +100,8 @@ class Pipes(unittest.TestCase):
         p = piped(GEAR + "x_y = 1\n", "gear", "-", "--json")
         self.assertEqual(p.returncode, 1)
         self.assertIn("standard input:5:1: gear1.x_y", p.stderr)
-        self.assertEqual(piped(GEAR, "run", "-").returncode, 2)  # the folder needs the name of a
-                                                                 # file
+        # The folder of the results is named after a file.
+        self.assertEqual(piped(GEAR, "run", "-").returncode, 2)
         self.assertEqual(piped("", "gear", "-").returncode, 1)
 
     def test_what_take_prints_pipes_back(self):
@@ -205,7 +206,7 @@ class Folders(unittest.TestCase):
         run(GEAR, "--only", "svg")
         self.assertEqual(sorted(f.name for f in out.iterdir()),
                          [".gearwright_files", "gear1.svg", "gear2.dxf", "gear2.svg", "notes.txt"])
-        # if a run fails, it removes no file
+        # If a run fails, it removes no file.
         Run("run", GEAR.replace("20", "-20") + "tip_diameter_mm = -1\n", "--out", folder + "/o", folder=folder)
         self.assertTrue((out / "gear1.svg").exists())
 
@@ -234,7 +235,7 @@ class Batches(unittest.TestCase):
             file.write(text)
             file.flush()
             self.assertEqual(piped("", "batch", file.name).stdout, p.stdout)
-        # the last line may have no line feed
+        # The last line may have no line feed.
         self.assertEqual(len(piped(lines[0] + "\n" + lines[1], "batch", "-").stdout.splitlines()), 2)
 
     def test_the_answers_are_those_of_the_verb(self):

@@ -248,7 +248,8 @@ class Contact(unittest.TestCase):
             self.assertEqual(crowning, 0)
 
     def test_the_middle_decides_between_slopes_of_equal_error(self):
-        """Regression: 0.48 µm with the contact 56 % off the middle, because the handovers moved between positions."""
+        """Regression: compensate proposed 0.48 µm and left the contact 56 % away from the middle,
+        because the handovers moved between positions."""
         crowned = "[gear1.modifications]\nlead_crowning_um = 8\nprofile_crowning_um = 4\n"
         c = self.ok("compensate", STAGE.format(crowned, "crossing_deg = 0.04"))["compensate"]
         self.assertAlmostEqual(c["corrections"][0]["value"], -17.44, delta=0.5)

@@ -92,8 +92,8 @@ class Crossed(unittest.TestCase):
             crowned = f"[gear1.modifications]\nlead_crowning_um = {share * needed[0]}"
             r = Run("pair", RING.format(crowned, "shaft_angle_deg = 10"), "--json")
             self.assertEqual([w["code"] for w in r.json["warnings"] if w["code"] == "saddle_gap"], codes)
-        # Without crowning, an edge touches before the flank would, by about the crowning that is needed. With
-        # crowning, the flanks touch inside their limits.
+        # Without crowning, an edge touches before the flank would touch. The lead is about the
+        # crowning that is needed. With crowning, the flanks touch inside their limits.
         lead = {}
         for crowning in (0, 3 * needed[0]):
             text = RING.format(f"[gear1.modifications]\nlead_crowning_um = {crowning}", "shaft_angle_deg = 10")
@@ -159,8 +159,8 @@ class Crossed(unittest.TestCase):
         self.assertAlmostEqual(Run("gear", BASIC.format(""), "--as-rack", "3,", "--json").json["gears"][1]["as_rack"]["normal_pressure_angle_deg"], 20, places=9)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", "3,21").status, 1)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", ",50").status, 1)
-        for module in ("1e16", "1e17", "1e300", "50"):  # these helix angles exceed 60°; 90° is
-                                                        # impossible
+        # These helix angles would exceed 60°, and 90° is impossible.
+        for module in ("1e16", "1e17", "1e300", "50"):
             r = Run("gear", BASIC.format(""), "--as-rack", module + ",")
             self.assertEqual(r.status, 1, r.err)
             self.assertIn("60°", r.err)
@@ -248,7 +248,7 @@ class Crossed(unittest.TestCase):
         text = WISH.format("helix_angle_deg = 45\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         p = Run("pair", text, "--json").json
         self.assertAlmostEqual(p["pair"]["backlash"]["normal_base_mm"], 0, places=11)
-        # without a shaft angle, the given centre distance is the minimum one of the pair
+        # Without a shaft angle, the given centre distance is the minimum one of the pair.
         text = WISH.format("helix_angle_deg = 46\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         r = Run("pair", text.replace("shaft_angle_deg = 90", ""), "--json")
         self.assertAlmostEqual(r.json["pair"]["minimum_center_distance"]["center_distance_mm"], 38.4, places=10)

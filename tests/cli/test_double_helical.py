@@ -73,8 +73,8 @@ class TwoHalves(unittest.TestCase):
         return json.loads(run.out)["rating"]
 
     def test_the_halves_share_the_load(self):
-        """The rating by ISO 6336 with b = 2 b_B and the overlap ratio of one half equals the rating of one half
-        under half of the torque."""
+        """The rating to ISO 6336 with b = 2 b_B and the overlap ratio of one half equals the rating
+        of one half under half of the torque."""
         both = self.rated(PAIR.format(""), 4000)
         half = PAIR.format("").replace("[gear1.double_helical]\ngap_mm = 30\n", "")
         half = half.replace("[gear2.double_helical]\ngap_mm = 30\n", "").replace("150", "60")
@@ -129,8 +129,9 @@ class TwoHalves(unittest.TestCase):
         return json.loads(Run("scatter", spec, "--json").out)["scatter"]
 
     def test_scatter_is_that_of_the_whole_gears(self):
-        """Without tolerances, every sample has the numbers of contact, which are the means of both halves. The
-        place along the face is that of the half where it is farther out, > 0 away from the apex."""
+        """Without tolerances, every sample has the numbers of contact, which are the means of both
+        halves. The place along the face is that of the half whose contact is farther from its
+        middle. It is > 0 in the direction away from the apex."""
         for stagger, crowning, crossing in ((0, 0, 0.006), (0.5, 12, 0.012), (0.5, 12, -0.012), (0.25, 12, 0.07)):
             spec = (PAIR.replace("gap_mm = 30", f"gap_mm = 30\nstagger_pitches = {stagger}").format("")
                     + f"[gear1.modifications]\nlead_crowning_um = {crowning}\nprofile_crowning_um = {crowning}\n"
@@ -229,8 +230,8 @@ class TwoHalves(unittest.TestCase):
             a, b = (half["positions"][k]["transmission_error_arcsec"] for half in (first, second))
             self.assertAlmostEqual(whole["transmission_error_arcsec"], (a + b) / 2, 9)
             self.assertIsNone(whole["point_mm"])
-            self.assertGreater(first["positions"][k]["point_mm"][2], 14.999)  # the half at z from
-                                                                              # 15 to 75 mm
+            # The half extends from z = 15 mm to z = 75 mm.
+            self.assertGreater(first["positions"][k]["point_mm"][2], 14.999)
             self.assertLess(second["positions"][k]["point_mm"][2], -14.999)
         self.assertEqual(len(found["axial_float_um"]), len(found["positions"]))
         # The errors of the spec lie between the points of the map. The map is symmetric about the mirror
@@ -278,8 +279,8 @@ class TwoHalves(unittest.TestCase):
             report = (Path(folder) / "report.html").read_text()
             for words in ("Double-helical gear pair", "150.0000", "Groove diameter"):
                 self.assertTrue(words in report, words)
-            for gear in (1, 2):  # 84 bytes and 50 per triangle: the faces end at ±75 mm, and the
-                                 # groove at ±15 mm
+            # 84 bytes, then 50 per triangle. The faces end at ±75 mm, the groove at ±15 mm.
+            for gear in (1, 2):
                 data = (Path(folder) / f"gear{gear}.stl").read_bytes()[84:]
                 heights = {round(struct.unpack_from("<f", data, at + 20)[0], 3) for at in range(0, len(data), 50)}
                 self.assertEqual((min(heights), max(heights)), (-75, 75))

@@ -135,7 +135,8 @@ class Files(unittest.TestCase):
                 self.assertGreater(((a[9] - b[9]) ** 2 + (a[10] - b[10]) ** 2) ** 0.5, tips[i] + tips[k])
 
     def test_a_part_has_its_own_file(self):
-        """The mesh of a planet alone has the triangles of the same gear of the pair, and lies on z = 0."""
+        """The mesh of a planet alone has as many triangles as the same gear of the pair, and the
+        same size, and lies on z = 0."""
         part = Run("export", SET, "--gear", "planet", "--stl", "p.stl", "--3mf", "p.3mf", "--dxf", "p.dxf")
         self.assertEqual(part.status, 0, part.err)
         pair = Run("drive", SET, "--take", "1")
@@ -320,7 +321,8 @@ class Solids(unittest.TestCase):
             '[[drive.mesh]]\ngears = ["p", "r"]\n')
 
     def test_the_files_of_a_drive_contain_its_rack_in_place(self):
-        """The rack has the position and the volume that it has in the files of its pair."""
+        """The rack has the position that it has in its pair, and its STEP file has as many faces as
+        that of the pair."""
         run = Run("run", self.RACK, "--out", "o", "--json")
         self.assertEqual(run.status, 0, run.err)
         self.assertLessEqual({"drive.step", "drive.glb", "drive.3mf", "drive.dxf"},
@@ -347,7 +349,9 @@ class Solids(unittest.TestCase):
         self.assertIn("r is a rack with 2 pinions", made.err)
 
     def test_the_cylinder_between_two_gears_clears_the_gears_beside_it(self):
-        """Gear g5, whose tip circle has the radius 62 mm, is beside the shaft of g2 and g3, at an angle of its axis."""
+        """Gear g5, with a tip radius of 62 mm, is beside the shaft of g2 and g3. The angle of its
+        axis determines their distance."""
+
         def spec(angle):
             gears = "".join(f'[[drive.gear]]\nname = "{n}"\nbody = "{b}"\nteeth = {z}\nnormal_module_mm = 2\nface_width_mm = 20\n'
                             for n, b, z in (("g1", "a", 20), ("g2", "b", 60), ("g3", "b", 60), ("g4", "d", 20), ("g5", "c", 60),

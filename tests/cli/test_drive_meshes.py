@@ -82,7 +82,8 @@ class Meshes(unittest.TestCase):
         self.assertNotIn("[load]", still.out)
 
     def test_a_mesh_without_module_has_no_contact(self):
-        """It does not move the output, so the errors of the other mesh are judged."""
+        """The second mesh has no module and does not move the output, so only the errors of the
+        first mesh are judged."""
         gear = '[[drive.gear]]\nname = "{}"\nbody = "{}"\nteeth = {}\n'
         spec = '[drive]\ninput = "a"\noutput = "b"\n' + "".join(f'[[drive.body]]\nname = "{b}"\n' for b in "abc")
         for name, body, teeth in (("g1", "a", 20), ("g2", "b", 40)):

@@ -95,7 +95,7 @@ mesh = [{ gears = ["r", "p"] }]
         self.assertGreater(error["output_peak_to_peak_um"], 1)
         self.assertAlmostEqual(error["output_peak_to_peak_um"], contact["contact"]["peak_to_peak_um"], 9)
         self.assertGreater(error["lines"][0]["amplitude_um"], 0)
-        # Edges in contact are findings of the drive as of the pair.
+        # Edges in contact are findings of the drive, as they are findings of the pair.
         codes = [[f["code"] for f in answer["verdict"]["findings"] if f["level"] != "green"] for answer in (drive, contact)]
         self.assertEqual(codes[0], codes[1])
         self.assertIn("edge_contact", codes[0])

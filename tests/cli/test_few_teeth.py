@@ -56,8 +56,9 @@ class Fillets(Asked):
         for before, after in zip(arcs, arcs[1:]):
             self.assertEqual(before["points"][-1], after["points"][0])
         root, tip = arcs[0]["points"], arcs[2]["points"]
-        self.assertAlmostEqual(root[0][0], 0, places=14)  # the middle of the space is at 90° to the
-                                                          # tooth
+        # The middle of the space is at 90° to the tooth.
+        self.assertAlmostEqual(root[0][0], 0, places=14)
+
         self.assertEqual(tip[-1][1], 0)
         for x, y in root:
             self.assertAlmostEqual(math.dist((x, y), (0, 2.148140708140892)), 1.0453973845897083, places=12)
@@ -101,7 +102,7 @@ class Fillets(Asked):
 
     def test_clearance(self):
         gears = "[gear1]\nteeth = 20\nnormal_module_mm = 3\nface_width_mm = 20\n[gear1.tip_fillet]\n{}\n[gear2]\nteeth = 40\nnormal_module_mm = 3\nface_width_mm = 20\n"
-        # without a given clearance, the rule 0.2 m + 0.05 mm applies
+        # Without a given clearance, it is 0.2 m + 0.05 mm.
         for line, wanted in (("clearance_mm = 0.9", 0.9), ("", 0.65)):
             p = self.ok("pair", gears.format(line))
             self.assertAlmostEqual(p["pair"]["tip_clearance_mm"][0], wanted, places=12)
@@ -166,7 +167,7 @@ class CutBy(Asked):
         for key in named:
             if isinstance(named[key], float):
                 self.assertAlmostEqual(named[key], table[key], places=11, msg=key)
-        # a single gear with a separate cutter needs no mating gear
+        # A single gear with a separate cutter needs no mating gear.
         alone = self.ok("gear", (WHEEL + "profile_shift_pair = -0.7\n" + cutter).replace("gear2", "gear1"))["gears"][0]
         self.assertAlmostEqual(alone["root_diameter_mm"], named["root_diameter_mm"], places=11)
 

@@ -72,7 +72,7 @@ class Keys(Asked):
         ring = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = -60\n"
         for d in (-44, -120):
             self.refused(ring + f"tip_diameter_mm = {d}\n", "gear2.tip_diameter_mm", "greater than 0")
-        # the tip diameter follows from the given profile shift, so the error names the shift
+        # The tip diameter follows from the given profile shift, so the error names the shift.
         self.refused(ring + "profile_shift = 40\n", "gear2.profile_shift", "tip_diameter_mm", verb="gear")
         self.refused("[gear1]\nteeth = -10\nnormal_module_mm = 2\n[gear1.rack]\naddendum = 6\n", "gear1.rack.addendum",
                      "tip_diameter_mm", verb="gear")
@@ -158,7 +158,7 @@ class Hands(Asked):
         self.assertEqual(self.ok("pair", crossed)["pair"]["kind"], "crossed")
         lead = same.replace("helix_angle_deg = 15", 'lead_angle_deg = 75\nhand = "left"')
         self.refused(lead, "gear2.lead_angle_deg", "helix_angle_deg = -15", 'hand = "right"')
-        # different helix angles of the same hand are not a mistake
+        # Different helix angles of the same hand are not a mistake: the axes are crossed.
         self.assertEqual(self.ok("pair", same.replace("helix_angle_deg = 15", "helix_angle_deg = 20", 1))["pair"]["kind"], "crossed")
 
 
@@ -219,7 +219,7 @@ class Backlash(Asked):
             gears = self.ok("pair", PAIR + "[pair]\nbacklash_mm = 0.1\n" + split)["gears"]
             thinner = [n - g["reference_tooth_thickness_normal_mm"] for n, g in zip(nominal, gears)]
             self.assertAlmostEqual(thinner[0] / sum(thinner), share, places=9)
-            # the verbs gear and pair report the same data for a gear
+            # The verbs gear and pair report the same data for a gear.
             alone = self.ok("gear", PAIR + "[pair]\nbacklash_mm = 0.1\n" + split)["gears"]
             self.assertEqual(gears, alone)
 

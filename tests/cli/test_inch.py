@@ -42,7 +42,7 @@ def coarse_example(path):
 
 def answers(verb, specs):
     """Returns the JSON of each spec."""
-    if verb in ("outline", "search"):  # not verbs of batch
+    if verb in ("outline", "search"):  # `batch` does not support these verbs
         return [Run(verb, json.dumps(spec), "--json", name="case.json").json for spec in specs]
     return batch(verb, specs)
 

@@ -174,7 +174,7 @@ class Chosen(Asked):
         self.assertEqual([g["undercut"] for g in answer["gears"]], [False, False])
         self.assertAlmostEqual(x[0], 0.39, 12)  # h_Ff* - z sin²α/2 + 0.1/(2 m tan α), rounded up to two decimals
         self.assertGreater(answer["pair"]["contact_ratio_true"], 1.2)
-        # No other pinion is affected: it has the whole sum.
+        # A pinion of 20 teeth is not undercut without a shift, so it gets the whole sum.
         x = [g["profile_shift"] for g in self.answer("pair", ring.format(20, 14.7))["gears"]]
         self.assertGreater(x[0], 0)
         self.assertEqual(x[1], 0)

@@ -71,8 +71,8 @@ class Load(unittest.TestCase):
     def test_a_narrow_face_has_fewer_slices(self):
         answer = self.answer(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
                              rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\n')
-        self.assertEqual(len(answer["torques"][0]["face_load_N_per_mm"]), 23)  # 28 mm in slices of
-                                                                               # 0.4 modules
+        # 28 mm are divided into slices of 0.4 modules.
+        self.assertEqual(len(answer["torques"][0]["face_load_N_per_mm"]), 23)
         run = load(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
                    rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\nslices = 40\n')
         self.assertEqual(run.status, 1)

@@ -10,8 +10,8 @@ FROM = SOURCE / "tests/oracle/bricks/tooth_bricks.py"
 # Limit of the error relative to the greatest value of the row. This value is under the load, where a strip
 # replaces the loaded elements.
 OF_ALL = 0.02
-AWAY = 1.25  # m_n from the middle of the load; farther away, strip and loaded elements give the
-             # same result
+# m_n from the middle of the load. Farther away, strip and loaded elements give the same result.
+AWAY = 1.25
 OF_AWAY = 0.05  # limit of the error there, relative to the greatest value there
 MODULE = 3.0
 MODULUS = 200000.0

@@ -40,8 +40,8 @@ def pair():
 
 class Stop(unittest.TestCase):
     def stopped(self, verb, spec, sent, *args):
-        """Stops a program after its first progress line. Returns its stderr and the time from the signal
-        to the end."""
+        """Stops a program after its first progress line, and returns this line. The program must
+        end within WITHIN seconds of the signal."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "case.toml"
             path.write_text(spec)

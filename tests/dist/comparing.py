@@ -5,7 +5,7 @@ import struct
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 VERBS = "gear pair contact load measure rate identify fit drive outline".split()
-# The same tables for spreadsheets.
+# Verbs whose tables for spreadsheets are compared.
 TABLES = "gear pair measure drive outline".split()
 # Verbs that take long are compared for one example.
 LONG = {"scattered_pair": "scatter", "misaligned_pair": "compensate", "quiet_pair": "propose", "housing_search": "search",
@@ -23,8 +23,8 @@ def some_examples(count):
 
 
 def place(x):
-    """Returns doubles as integers in the same order. Neighbours differ by 1, the unit in the
-    last place."""
+    """Converts a double to an integer. The order of the doubles is kept, and neighbours differ by
+    1, the unit in the last place."""
     bits = struct.unpack("<q", struct.pack("<d", x))[0]
     return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
 

@@ -1,4 +1,5 @@
-"""What surrounds a program of a user: a console, full disks and disks that cannot be written, the packed folder."""
+"""Tests a program in the surroundings of a user: a console, full disks and disks that cannot be
+written, and the packed folder."""
 import contextlib
 import fcntl
 import os
@@ -50,7 +51,8 @@ def console(programs, report, folder, spec):
 
 
 def may_mount():
-    """Whether this system permits to mount a disk, which needs root and more rights than some containers have."""
+    """Returns whether this system permits mounting a disk. Mounting requires root and more rights
+    than some containers have."""
     with tempfile.TemporaryDirectory() as folder:
         if subprocess.run(["mount", "-t", "tmpfs", "tmpfs", folder], stderr=subprocess.DEVNULL).returncode:
             return False
@@ -72,8 +74,8 @@ def small_disk(folder, size, read_only=False):
 
 
 def disks(programs, report, folder, windows):
-    """A full disk and one that cannot be written end the program with status 3 and the name of the file. A file
-    appears as a whole or not at all, and an older one stays as it was."""
+    """If a disk is full or cannot be written, the program ends with status 3 and names the file. A
+    file appears as a whole or not at all, and an older file remains unchanged."""
     spec = SOURCE / "examples/spur_pair.toml"
     wish = SOURCE / "examples/housing_search.toml"
     for kind, size, read_only in (("full", 65536, False), ("read-only", 1 << 20, True)):

@@ -8,8 +8,10 @@
    The script prints how many numbers differ, and by how many units in the last place (ulp).
    Tables for spreadsheets, the manual, the schemas, the completions and the answers of `verify` are the same, too.
 2. For every example, `run` writes the same files with the same bytes.
-3. The program handles names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing
-   file, folders that accept no file, full and read-only disks (if this system permits to mount them), a console, and Ctrl-C.
+3. The program handles names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a
+   missing file, folders that accept no file, full and read-only disks (if this system permits
+   mounting them), a console, and Ctrl-C.
+
 4. The zip contains the program with the page, and the first example of the quick start runs in it.
 5. The program needs no library beside it. The program for Windows has less than 12 MB.
 """

@@ -1,5 +1,5 @@
-// Circular-arc racks, teeth and contacts against a computation of 30 digits that shares no code
-// with this project (tests/oracle/circular_arc.json, its conventions in
+// Circular-arc racks, teeth and contacts are compared with a computation of 30 digits that shares
+// no code with this project (tests/oracle/circular_arc.json, its conventions in
 // tests/oracle/five_equation.hpp).
 //
 // In that computation, x points from axis 1 to axis 2, and θ is our τ. Its flanks are on the side y
@@ -216,7 +216,8 @@ TEST(CircularArc, contacts_at_other_centre_distances) {
   EXPECT_EQ(seen, 8);
 }
 
-// The same comparison for mounted gears. The radii of both gears have the same module and lead.
+// Compares mounted gears with the same computation. The pitch radii of both gears must correspond
+// to the same module and the same lead angle.
 TEST(CircularArc, mounted_pairs) {
   int seen = 0;
   for (const Json& c : cases()["cases"]) {

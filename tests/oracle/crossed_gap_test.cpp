@@ -67,7 +67,7 @@ double deepest(const Screwed& one, const Screwed& two, bool first_moves, double 
   for (int i = 0; i < kTurns; ++i) {
     const double turn = 2 * kPi / one.teeth() * (i - kTurns / 2) / kTurns;
     const double mate = -turn * one.teeth() / two.teeth();
-    // gear 2 is the displaced one
+    // `away` is added to the rotation of gear 2 only.
     const double turn_1 = first_moves ? turn : turn + away;
     const double turn_2 = first_moves ? mate + away : mate;
     for (int k = -around; k <= around; ++k) {
@@ -91,7 +91,7 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_collisions_are_ti
     const double m = specs.first.normal_module;
     for (CylindricalSpec* spec : {&specs.first, &specs.second})
       spec->profile_shift = random.uniform(-0.5, 0.3);
-    // Longer tips, so that some reach the fillets.
+    // Most tips are longer than usual, so that some of them reach the fillets.
     const auto plain = property::mounted(specs, 0.05 * m);
     if (!plain) continue;
     specs.first.tip_diameter = plain->gears[0].tip_diameter + random.uniform(-0.1, 0.45) * m;

@@ -119,7 +119,7 @@ class Solid {
     return place_ * Vec3(end.norm() * std::cos(angle), end.norm() * std::sin(angle), z);
   }
   double half_face() const { return gear_.spec.face_width / 2; }
-  /// Angle of its rotation when gear 1 turns clockwise.
+  /// Sense of its rotation when gear 1 turns clockwise: +1 counter-clockwise, −1 clockwise.
   double sense() const { return sign_; }
 
  private:
@@ -168,7 +168,7 @@ ContactPair seen(const DisplacedPair& pair, bool gear2_drives, bool fillets) {
           {pair.center_distance, Angle(), gear2_drives, pair.errors, {}, fillets}};
 }
 
-// Both flanks of a tooth never touch at the same time.
+// Returns true if the two flanks of a tooth never touch at the same time.
 bool has_play(const std::vector<ContactPoint>& driving, const std::vector<ContactPoint>& other) {
   for (std::size_t i = 0; i < driving.size(); ++i)
     if (!(other[i].te.rad() > driving[i].te.rad() + 1e-4)) return false;

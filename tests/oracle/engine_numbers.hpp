@@ -102,7 +102,7 @@ inline std::vector<Vec2> dense_points(const Arc& arc, int n, double longest) {
 /// have very different steps.
 inline void append_edged(const Arc& arc, const std::vector<Vec2>& all, std::vector<Vec2>& points) {
   points.push_back(all.front());
-  // An arc shorter than this has only its end points, and a slightly longer one has no points in
+  // An arc shorter than 3 kBeside has only its end points. A slightly longer arc has no points in
   // between.
   if ((all.back() - all.front()).norm() > 3 * kBeside) {
     points.push_back(point_near_end(arc, true, kBeside));

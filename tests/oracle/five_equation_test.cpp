@@ -75,8 +75,8 @@ TEST_P(ArcCases, OpenAsTheFileSays) {
   EXPECT_CLOSE(t.major_angle, number(c, "major_angle_deg") * kLongDegree, 1e-14);
 }
 
-// The slope dφ_2/dφ_1 at 0 against a central difference, whose error is of second order in its
-// step.
+// The slope dφ_2/dφ_1 at 0 is compared with a central difference, whose error is of second order in
+// its step.
 TEST_P(ArcCases, SlopeOfTheFile) {
   const ArcPair pair = arc_pair(file());
   constexpr Real kStep = 1e-4L;

@@ -1,8 +1,8 @@
 // The positions of two gears in the housing, with errors.
 //
-// Housing.  Axis 1 is z before its errors; axis 2 passes (C, 0, 0), C = C_0 + ΔC, along
-// (0, sin Σ, cos Σ). Gear 1 turns by −φ_1 (clockwise seen from +z), gear 2 by +φ_2 about its own
-// +z. Errors, all at once:  r_f = R_x(Δγ) R_y(Δδ) R_z(−φ_1) r_1 + (0, 0, Δz)
+// Housing.  Without errors, axis 1 is the z axis. Axis 2 passes through (C, 0, 0), C = C_0 + ΔC, in
+// the direction (0, sin Σ, cos Σ). Gear 1 turns by −φ_1 (clockwise seen from +z), and gear 2 turns
+// by +φ_2 about its own +z. With all errors:  r_f = R_x(Δγ) R_y(Δδ) R_z(−φ_1) r_1 + (0, 0, Δz)
 //
 //   R_x(γ) = [1 0 0; 0 c s; 0 −s c]   crossing: +z goes to +y
 //   R_y(δ) = [c 0 s; 0 1 0; −s 0 c]   intersecting: +z goes to +x, towards gear 2

@@ -125,7 +125,7 @@ MatrixXd Section::root(std::size_t load, const MatrixXd& u) const {
 }
 
 PlaneAnswer Section::solve() const {
-  // A rule of degree four.
+  // A quadrature rule of degree four on a triangle.
   constexpr double kA = 0.445948490915965, kB = 0.091576213509771;
   constexpr double kWeightA = 0.223381589678011 / 2, kWeightB = 0.109951743655322 / 2;
   const std::array<std::array<double, 3>, 6> rule{{{kA, kA, kWeightA},

@@ -166,7 +166,7 @@ FiveEquationTouch five_equations(const Screws& s, std::array<LeadTurn, 2> lead, 
 }
 
 // Crossed involutes without errors transmit motion exactly at any centre distance. The five
-// equations and the cloud confirm this wherever an inner point carries.
+// equations and the cloud confirm this wherever a point inside both flanks carries the load.
 TEST(PointCloud, CrossedInvolutesTransmitExactly) {
   const Screws s = screws(14, 23, 0.7, 0.5, 20);
   for (const Real wider : {0.0L, 0.3L}) {
@@ -196,7 +196,7 @@ TEST(PointCloud, CrossedInvolutesTransmitExactly) {
   }
 }
 
-// Every error at once, crowned leads, a right angle and small ones.
+// All errors at once, with crowned leads, for small shaft angles and for a right angle.
 TEST(PointCloud, CrossedInvolutesUnderErrors) {
   for (const auto& [beta_1, beta_2] : {std::pair{0.9, 0.67}, {0.4, -0.3}, {0.35, 0.25}}) {
     SCOPED_TRACE(beta_1 + beta_2);
@@ -245,8 +245,9 @@ TEST(PointCloud, CrownedParallelInvolutes) {
   }
 }
 
-// The touching screws find tips and faces by another method. They must give the same rotation,
-// tooth and kind of contact. On narrow gears, edges at the faces carry over a part of the pitch.
+// The touching screws find contacts at tips and faces by another method. They must give the same
+// rotation, tooth and kind of contact. On narrow gears, the edges at the faces carry the load over
+// a part of the pitch.
 TEST(PointCloud, EdgesOfTouchingScrews) {
   int tips = 0, faces = 0, insides = 0;
   for (const double half_face : {1.0, 20.0}) {
@@ -263,7 +264,7 @@ TEST(PointCloud, EdgesOfTouchingScrews) {
         EXPECT_CLOSE(t->rotation_2, wanted->rotation_2, 1e-13);
         if (wanted->margin < 1e-5 && wanted->where == Where::flanks) continue;
         const auto is = [&](Where where, CloudKind kind, int& count) {
-          // A corner of two edges has only one name in that method.
+          // The touching screws name only one of the two edges that meet in a corner.
           if (wanted->where != where) return;
           EXPECT_TRUE(t->kind == kind || t->kind == CloudKind::corner) << where;
           count += t->kind == kind;

@@ -57,7 +57,7 @@ inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, d
       const Vec2& p = points[i];
       const double rho = p.norm();
       double theta = std::atan2(p.y(), p.x());
-      // for a single tooth, π may be rounded to the other sign
+      // For a single tooth, π may be rounded to the other sign.
       if (theta < 0.0 && p.x() < 0.0) theta += 2 * std::numbers::pi;
       const std::string at = where + fmt::format(" point {}", i);
       if (!(std::isfinite(p.x()) && std::isfinite(p.y()))) return at + " is not finite";

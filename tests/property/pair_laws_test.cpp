@@ -212,7 +212,8 @@ TEST(PairLaws, line_of_action) {
   });
 }
 
-// (8) if every length is doubled, every length of the mesh doubles exactly and pure numbers stay
+// (8) if every length is doubled, every length of the mesh doubles exactly, and pure numbers do not
+// change
 TEST(PairLaws, scaling_by_two_is_exact) {
   over_spec_pairs(208, [](const SpecPair& specs, const ParallelPair& p, Random&) {
     SpecPair twice = specs;

@@ -53,8 +53,8 @@ std::string broken_error(const Error& e) {
   return {};
 }
 
-// Returns true if the oracle supports the rack. It does not support a cutter with a sharp acute
-// tip.
+// Returns the rack of the oracle, or nothing if the oracle does not support it, which is so for a
+// cutter with a sharp acute tip. If the oracle rejects another rack, `broken` is the reason.
 std::optional<SweptRack> swept_rack_of(const Gear& gear, std::string& broken) {
   try {
     return SweptRack(oracle::numbers_of(gear));

@@ -2,12 +2,11 @@
 //
 // (1) The change in a remedy, applied to the spec, removes its finding and makes no other one
 //     worse.
-// (2) A finding at tolerance ends occurs with the same value if these ends are given as plain
-//     values. No combination of ends has a worse level than the verdict.
-// (3) `pair` and `contact` judge the gears in the same way. If nothing else is judged, their levels
-//     agree.
+// (2) No combination of tolerance ends has a worse level than the verdict. A negative backlash at
+//     tolerance ends has the least value of all combinations.
+// (3) `pair` and `contact` judge the gears in the same way. The level of `contact` is not better.
 // (4) Ordinary pairs are green.
-// (5) An amber headline about one gear names this gear. A red headline joins several reasons.
+// (5) An amber headline about one gear names this gear.
 #include <gtest/gtest.h>
 
 #include <algorithm>

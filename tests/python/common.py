@@ -30,6 +30,6 @@ def batch(verb, specs):
     """Returns the output of the program for each spec, from a single run."""
     lines = "\n".join(json.dumps(spec) for spec in specs)
     run = subprocess.run([BIN, "batch", verb], input=lines, capture_output=True, text=True)
-    # status 1: some spec has an error, which is in its line
+    # With status 1, some spec has an error, which is in its line.
     assert run.returncode in (0, 1), run.stderr
     return [json.loads(line) for line in run.stdout.splitlines()]

@@ -28,7 +28,7 @@ def printed(notebook):
     texts = []
     for cell in notebook.cells:
         outputs = [o for o in cell.get("outputs", []) if not {"text/html", "image/png"} & set(o.get("data", {}))]
-        # the output of one cell may be divided into several pieces
+        # The output of one cell may be divided into several pieces.
         texts.append("".join(o.get("text") or o["data"]["text/plain"] for o in outputs))
     return [text for text in texts if text]
 

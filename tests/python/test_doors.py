@@ -107,7 +107,7 @@ def test_search_refuses():
 def test_fit():
     fit = gw.fit({"gear1": {"teeth": 12, "normal_module": 1.5}, "gear2": {"teeth": 24, "normal_module": 1.5},
                   "pair": {"center_distance": 40, "shaft_angle": math.pi / 2}})
-    # docs/programming.md contains the same numbers
+    # docs/programming.md contains the same numbers.
     assert [f"{math.degrees(b.helix_angle[0]):.5f}" for b in fit.branches] == ["39.41253", "62.94762"]
     crossed = gw.load(fit.branches[0].spec)
     assert crossed.center_distance == pytest.approx(40) and crossed.kind == "crossed"
@@ -146,8 +146,8 @@ def test_scatter(tmp_path):
     with pytest.raises(gw.FileError):
         answer.to_parquet(tmp_path / "absent" / "samples.parquet")
     assert pickle.loads(pickle.dumps(answer)).members.shape == (32,)
-    assert len(answer.figures) == 3  # histogram and cumulative curve of the
-                                     # transmission error, histogram of the backlash
+    # Histogram and cumulative curve of the transmission error, and histogram of the backlash.
+    assert len(answer.figures) == 3
     marked = gw.scatter(p, **keys, pattern=True)
     assert [f.title for f in marked.figures[3:]] == ["Contact pattern of gear 1", "Contact pattern of gear 2"]
     share = np.array(marked.pattern.gear1.share)
@@ -169,7 +169,7 @@ def test_designs_ranked_by_their_scatter():
 
 def test_measure():
     chord = gw.measure(pinion())["chordal_thickness"]
-    # docs/programming.md contains the same numbers
+    # docs/programming.md contains the same numbers.
     assert f"{chord['chord_mm']:.4f}" == "4.4165" and f"{chord['tip_to_chord_mm']:.4f}" == "3.3537"
     assert len(gw.measure(pair())) == 2
 
@@ -216,7 +216,7 @@ def seconds_to_stop(work):
 
 @pytest.mark.parametrize("work", LONG)
 def test_ctrl_c(work):
-    # a busy machine may delay a thread, so the best of several attempts counts
+    # A busy machine may delay a thread, so the best of several attempts counts.
     tries = []
     while not tries or (min(tries) >= 0.3 and len(tries) < 6):
         tries.append(seconds_to_stop(work))

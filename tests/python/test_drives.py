@@ -21,8 +21,8 @@ def test_numbers_are_those_of_the_program():
     assert drive.bodies["carrier"].speed_rpm == pytest.approx(350)
     assert drive.center_distance == drive["center_distance_mm"]
     assert drive.backlash.output == pytest.approx(math.radians(drive["backlash"]["output_deg"]))
-    assert drive.meshes["sun_planet"].pair.contact_ratio == pytest.approx(1.5855, abs=1e-4)  # as in
-                                                                                             # docs/programming.md
+    # The value is that of docs/programming.md.
+    assert drive.meshes["sun_planet"].pair.contact_ratio == pytest.approx(1.5855, abs=1e-4)
     assert drive.verdict.level in ("green", "amber", "red")
     assert "30/7" in repr(drive)
     with pytest.raises(AttributeError):

@@ -25,7 +25,7 @@ def test_golden_cases(verb):
     specs = [case["spec"] for _, case in CASES if case.get("verb", "pair") == verb]
     assert len(specs) > 3
     for spec, told in zip(specs, batch(verb, specs), strict=True):
-        # repr() of a float is the shortest text from which it can be read, so equal texts mean equal bits
+        # Different floats have different texts, so equal texts mean equal bits.
         assert json.dumps(answered(verb, spec)) == json.dumps(told)
 
 
@@ -50,8 +50,8 @@ def test_examples(path):
     run = subprocess.run([BIN, verb, str(path), "--json"], capture_output=True, text=True, check=True)
     told = json.loads(run.stdout)
     again = gw.solve(value, verb)
-    for answer in (again, told):  # the spec of the value also contains the values that gear 2
-                                  # inherits
+    # The spec of the value also contains the values that gear 2 inherits.
+    for answer in (again, told):
         answer["verdict"]["findings"] = [f for f in answer["verdict"]["findings"] if f["code"] != "inherited"]
     assert {k: v for k, v in again.items() if k != "warnings"} == {k: v for k, v in told.items() if k != "warnings"}
     if verb == "pair":

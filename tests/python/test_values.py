@@ -15,7 +15,7 @@ from common import pair, pinion, wheel
 
 
 def test_numbers_of_the_front_door():
-    # docs/programming.md shows the same pair in C++
+    # docs/programming.md shows the same pair in C++.
     p = pair()
     assert f"{p.gear1.tip_diameter:.4f}" == "50.4992"
     assert f"{p.contact_ratio:.4f}" == "2.2772"
@@ -48,7 +48,7 @@ def test_replace():
     assert p.replace(gear2=wheel(teeth=44)).gear2.teeth == 44
     assert pinion().replace(teeth=19).teeth == 19
     assert "thickness_allowance_mm" not in pinion().replace(thickness_allowance=None).spec
-    # if no centre distance is given, it follows from the teeth
+    # If no centre distance is given, it follows from the teeth.
     assert p.replace(center_distance=None).center_distance == pytest.approx(78.6056, abs=1e-4)
 
 
@@ -253,11 +253,11 @@ def test_a_double_helical_gear_is_the_whole_gear():
     assert vertices[:, 2].min() == -10 and vertices[:, 2].max() == 10 and 2 in vertices[:, 2]
     pair = gw.Pair(gear, gw.Gear(teeth=40, normal_module=1.5, helix_angle_deg=-30, face_width=20, double_helical={"gap": 4}))
     contact = pair.contact(errors={"intersecting": 0.0005})
-    assert len(contact.figures) == 6  # the curves of both flanks, and the patterns on both gears
-                                      # for each half
+    # The curves of both flanks, and for each half the patterns on both gears.
+    assert len(contact.figures) == 6
     first, second = contact.halves
     assert first["peak_to_peak_arcsec"] != second["peak_to_peak_arcsec"]
-    with pytest.raises(gw.SpecError) as e:  # many mountings are supported only for gears with one
-                                            # helix
+    # Many mountings are supported only for gears with one helix.
+    with pytest.raises(gw.SpecError) as e:
         pair.transmission_error([[0.0] * 6])
     assert e.value.key == "gear1.double_helical"

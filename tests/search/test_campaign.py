@@ -67,7 +67,7 @@ class OneMachine(Campaign):
     def test_unfinished_json(self):
         told = json.loads(self.go("--shard", "1/11", "--json"))
         self.assertEqual(told["search"], {"finished": False, "stopped": False, "chunks_done": 2, "chunks": 22})
-        # a single process with --resume computes the chunks of the other shards
+        # A single process with --resume computes the chunks of the other shards.
         self.go("--resume")
         self.check()
 

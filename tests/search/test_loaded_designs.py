@@ -1,7 +1,8 @@
 """Tests the transmission error under load of the best designs of a search by noise.
 
     value      loaded_noise_um is that of the verb load for the spec that --take prints
-    order      the designs are sorted by it, for any --top and any number of threads, and the Pareto front stays first
+    order      the designs are sorted by it, for any --top and any number of threads; if noise is
+               not the first objective, the order and the Pareto front do not change
     failures   a design without a value has the reason in the warnings and in the listing
 """
 import csv

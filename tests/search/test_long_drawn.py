@@ -1,7 +1,8 @@
 """Tests searches whose designs are drawn, with face widths, allowances and the verdict on the resulting
 pair.
 
-    listed     no listed design has a finding above green, and the verb run gives the same numbers for it
+    listed     samples of the designs have no finding above green, the verbs rate and pair give the
+               same numbers for them, and the verdict of the verb run is green
     least      a face width that is one step smaller is not sufficient
     backlash   a range of backlash, a series, and a tolerance of the centre distance
     defaults   centre distances without backlash, DIN 3967 cd25, limits of |x| and |ζ|, and how to change them

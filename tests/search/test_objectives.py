@@ -1,11 +1,12 @@
 """Tests the objectives efficiency, balance, cost and noise of a search for pairs. The transmission error under load is
 tested by test_loaded_designs.
 
-    plain      every combination of module, teeth and helix angle is searched alone, and its objectives are
-               computed from the results of the verbs pair and rate for the design; the ranking and the Pareto
-               front follow from these numbers
+    plain      every combination of module, teeth and helix angle is searched alone, and the
+               objectives of the designs on the line of Eq. 11 are computed from the results of the
+               verbs pair and rate; the ranking and the Pareto front of these designs follow from
+               these numbers
     refused    objectives that need [rating], synonyms, and numbers out of their ranges
-    printed    the values are in the listing, in best.csv and on the page
+    printed    the listing, best.csv and the page contain the objectives
 """
 import csv
 import io

@@ -2,7 +2,8 @@
 
     plain    the angles and the number of candidates are those of the list of all multiples of 0.01°
     taken    --take writes the helix angle and the face width of the row
-    rated    every design has the required safeties and a green verdict at the width of its angle
+    rated    the listed designs have the required safety of the flanks, and the first one has a
+             green verdict at the width of its angle
 """
 import math
 import unittest
@@ -64,8 +65,8 @@ class WholeOverlaps(unittest.TestCase):
         for row in found["designs"][:20]:
             self.check(row)
             self.assertGreaterEqual(min(row["S_H"]), 1.6)
-            # [T9.15]: for ε_β = 1 + δ, λ varies by at most δ, which is 0.00125 from 8° on; the teeth yield by less
-            # than 40 µm
+            # [T9.15]: for ε_β = 1 + δ, λ varies by at most δ, which is 0.00125 from 8° on. The
+            # teeth yield by less than 40 µm.
             self.assertLess(row["noise_um"], 0.05)
         r = Run("search", text, "--take", 1, folder=folder())
         rate = Run("rate", r.out, "--json", folder=r.folder, name="pair.toml")

@@ -1,5 +1,5 @@
-"""Tests the scatter over the designs of a search. Each row equals the result of the verb scatter, bit for
-bit. Shards, ranks and killed processes do not change the files."""
+"""Tests the scatter over the designs of a search. Rows equal the results of the verb scatter, bit
+for bit. Shards, ranks and killed processes do not change the files."""
 import csv
 import json
 import os

@@ -5,8 +5,8 @@ verbs.
              grid
     taken    the verb pair, run on the output of --take N, gives the numbers of the row
     files    search.parquet (read by DuckDB), best.csv, search.json and report.html contain the same result
-    changes  if nothing is feasible, each proposed change makes some design feasible, and nine tenths of it
-             does not
+    changes  if nothing is feasible, each proposed change makes some design feasible, but 99 % of a
+             numeric change does not
 """
 import csv
 import io
@@ -179,7 +179,7 @@ class Answer(Asked):
         s = p.json["search"]
         self.assertEqual(s["tested"], s["feasible_count"] + sum(s["rejected"].values()))
         self.assertEqual(len(s["designs"]), s["feasible_count"])
-        # every number is printed as the shortest text that gives the same bits when it is read
+        # No number is printed with more than 17 significant digits.
         for token in set(re.findall(r"(?<=[\[:,])-?\d[^,\]}\s]*", p.out)):
             self.assertEqual(float(token), float(repr(float(token))))
             self.assertLessEqual(len(re.sub(r"^-?0*\.?0*|[eE].*|\.", "", token)), 17, token)
@@ -193,14 +193,14 @@ class Answer(Asked):
                 self.assertLess(math.dist(edge["points"][-1], following["points"][0]), 1e-9)
             corners = [p for edge in edges for p in edge["points"]]
             area = sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(corners, corners[1:] + corners[:1])) / 2
-            # the area within the chords of a curve is slightly smaller
+            # The chords of the curves enclose a slightly smaller area.
             self.assertAlmostEqual(abs(area), row["region"]["area"], delta=2e-3 * row["region"]["area"] + 1e-12)
             for i in (0, 1):
                 self.assertLessEqual(min(p[i] for p in corners), row["profile_shift"][i] + 1e-9)
                 self.assertGreaterEqual(max(p[i] for p in corners), row["profile_shift"][i] - 1e-9)
 
     def test_objectives_rank(self):
-        # in the second search, many regions have no point of Eq. 11
+        # In the second search, many regions have no point of Eq. 11.
         texts = [spec(), spec(center_distance_mm=[100.4, 100.6])]
         for text in texts:
             for name in ("contact_ratio", "ratio", "size", "shift", "area", "sliding", "formula_contact_ratio"):
@@ -318,8 +318,8 @@ class Files(unittest.TestCase):
         self.assertEqual(len(rows), found["feasible_count"])
         self.assertEqual(set(rows[0]), set(wanted[0]) | {"trial"})
         trials = [row["trial"] for row in rows]
-        self.assertEqual(trials, sorted(set(trials)))  # in the order of the trials, without
-                                                       # repetition
+        # The trials are in their order and not repeated.
+        self.assertEqual(trials, sorted(set(trials)))
 
         def design(row):
             return tuple(row[key] for key in ("rack", "module_mm", "z1", "z2", "helix1_deg"))
@@ -407,7 +407,7 @@ class Changes(unittest.TestCase):
                 continue
             shy = [o + 0.99 * (n - o) for o, n in zip(old, new)] if isinstance(old, list) else old + 0.99 * (new - old)
             self.assertEqual(search(spec(keys | {key: shy}, after))["feasible_count"], 0, f"{change}, {shy}")
-        # the terminal and the page show the same text
+        # The listing shows the same changes.
         told = Run("search", text, folder=folder()).out
         for change in found["changes"]:
             self.assertIn(f"{change['key']} = {change['to']} instead of {change['from']}", told)

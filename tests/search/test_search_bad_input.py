@@ -50,7 +50,7 @@ class Refused(Asked):
         self.no(spec(pinion_teeth=[12.5, 40]), "search.pinion_teeth", "whole numbers")
         self.no(spec(pinion_teeth=[2, 40]), "search.pinion_teeth", "between 3 and 20000")
         self.no(spec(pinion_teeth=[12, 30000]), "search.pinion_teeth", "between 3 and 20000")
-        # such a gear would have more than 20 000 teeth
+        # Such a wheel would have more than 20 000 teeth.
         self.no(spec(pinion_teeth=[12, 9524]), "search.ratio", "20000.4", "at most 20000")
         self.no(spec(ratio=[-800, -2]), "search.ratio", "32000", "at most 20000")
         self.assertEqual(Run("search", spec(pinion_teeth=[9500, 9523], modules_mm=[2]), folder=folder()).status, 0)
@@ -197,7 +197,8 @@ class Large(Asked):
         self.assertTrue(said, r.err)
         self.assertAlmostEqual(float(said[1]) / candidates, 1, delta=0.01)
         seconds = int(said[2]) * {"seconds": 1, "minutes": 60, "hours": 3600, "days": 86400, "years": 31557600}[said[3]]
-        # the message rounds the rate to three digits and the duration to whole years
+        # The message rounds the rate to three digits and the duration to whole years.
+
         self.assertAlmostEqual(seconds * float(said[4]) / candidates, 1, delta=0.01 + 0.5 / int(said[2]))
         for words in ("--yes-large", "--shard", "--out"):
             self.assertIn(words, r.err)

@@ -1,5 +1,5 @@
-"""Tests that every listed design runs. The verb pair reports no interference for it and confirms its
-margins."""
+"""Tests that listed designs run. The verb pair reports no interference and a positive tip clearance
+for them, and their rows keep the margins."""
 import unittest
 
 from searching import Asked, Run, folder, search, spec, taken

@@ -1,6 +1,6 @@
-// Controls an unmodified Firefox by WebDriver BiDi: one page, its scripts and its pictures. For Chromium,
-// playwright-core does this. For Firefox, playwright-core needs commands that the released browser does not
-// have.
+// Controls an unmodified Firefox with WebDriver BiDi: one page, its scripts and its pictures. For
+// Chromium, playwright-core does this. For Firefox, playwright-core needs commands that the
+// released browser does not have.
 //
 // Requires the WebSocket of node: `node --experimental-websocket` before node 22.
 
