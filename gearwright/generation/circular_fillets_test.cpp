@@ -71,6 +71,7 @@ TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
 // dr_r/dξ = r_b tan² u and d(end)/dξ = r_b (1 − 1/(1 + sin u)), where u is the angle from the base
 // tangent point to the middle of the space.
 TEST(RootFillet, laws) {
+  int compared = 0;
   for (const Tooth& tooth : teeth()) {
     const double r_b = tooth.flank.base_radius();
     for (const double xi : rolls(tooth)) {
@@ -86,21 +87,26 @@ TEST(RootFillet, laws) {
       const double tan_u = std::tan(u);
       EXPECT_NEAR(slope(radius, xi), r_b * tan_u * tan_u, 1e-7 * r_b * (1 + tan_u * tan_u));
       EXPECT_NEAR(slope(end, xi), r_b * (1.0 - 1.0 / (1.0 + std::sin(u))), 1e-7 * r_b);
+      ++compared;
     }
   }
+  EXPECT_GT(compared, 10);
 }
 
 // The span is the angle between the tangent of the flank and the line perpendicular to the middle
 // of the space.
 TEST(RootFillet, span_is_the_turn_of_the_tangent) {
+  int compared = 0;
   for (const Tooth& tooth : teeth()) {
     for (const double xi : rolls(tooth)) {
       const auto arc = root_fillet_at(tooth.flank, tooth.teeth, xi);
       if (!arc || xi == 0.0) continue;
       const double root_tangent = kPi / tooth.teeth - kHalfPi;
       EXPECT_NEAR(tooth.flank.at(xi).tangent_angle - root_tangent, arc->span.rad(), 1e-13);
+      ++compared;
     }
   }
+  EXPECT_GT(compared, 10);
 }
 
 TEST(RootFillet, is_nothing_where_no_circle_fits) {

@@ -83,7 +83,8 @@ class Listed(Drawn):
         for design in found["designs"]:
             self.assertGreater(design["backlash_mm"][0], 0.05)
             self.assertLessEqual(max(map(abs, design["profile_shift"])), 1.0)
-            self.assertLessEqual(design["sliding_max"] if "sliding_max" in design else 0, 3.0)
+            for sliding in design["specific_sliding"].values():
+                self.assertLessEqual(max(map(abs, sliding)), 3.0)
             self.assertEqual(design["face_width_mm"] % 1, 0)
 
     def test_run_says_the_same(self):
