@@ -48,7 +48,8 @@ int print_unfinished(const StudyCommand& c, const StudyRun& run) {
     print_json(unfinished_study(run));
   } else {
     print(
-        fmt::format("{} of {} designs are done in {}; the last shard to finish writes the result\n",
+        fmt::format("{} of {} designs are finished and saved in the folder {}; the last shard to "
+                    "finish writes the result\n",
                     run.done, run.of, *c.out));
   }
   return 0;

@@ -69,8 +69,8 @@ TEST(MeshRefusal, WhatIsNoBody) {
 
   EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().field,
             "chord_tolerance_mm");
-  // Without a helix, the number of levels never becomes too large, so the number of points must be
-  // limited.
+  // Without a helix, the mesh always has few levels along the axis. The tolerance must therefore be
+  // rejected because the section would have too many points.
   for (const double tolerance : {1e-12, 1e-100, 1e-300, 5e-324})
     EXPECT_EQ(tessellate(sample_body({}), {.chord_tolerance_mm = tolerance}).error().field,
               "chord_tolerance_mm");

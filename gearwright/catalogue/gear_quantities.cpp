@@ -305,9 +305,9 @@ void add_fillets_and_body(Quantities<Gear>& q) {
               &TipBulge::from_diameter)
       .when();
   q.number("neck_thickness_mm", "root thickness at the neck (chord)", "",
-           "chord at the neck, which is the place below the tip where the half angle of the root "
-           "fillets is least [T3.10]; 0 or negative if `severed`. On an undercut tooth, the least "
-           "chord is up to a few percent shorter and lies nearer to the root",
+           "chord at the neck, which is the place on the root fillets below the tip where the half "
+           "angle of the tooth is least [T3.10]; 0 or negative if `severed`. On an undercut tooth, "
+           "the least chord is up to a few percent shorter and lies nearer to the root",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);

@@ -62,15 +62,15 @@ void add_rack_mounting(Quantities<RackPair>& q) {
            "short, and null without contact or without `teeth` and `length_mm`",
            usable_travel);
   q.term("working_normal_pressure_angle_deg",
-         "equal to the pressure angle of the basic rack at every centre distance",
+         "equal to the pressure angle of the basic rack at every mounting distance",
          [](const RackPair& v) { return v.pinion.spec.normal_pressure_angle; });
   q.term("working_transverse_pressure_angle_deg",
-         "equal to the pressure angle of the basic rack at every centre distance",
+         "equal to the transverse pressure angle α_t of the pinion at every mounting distance",
          [](const RackPair& v) {
            return Angle::radians(v.pinion.reference().transverse_pressure_angle);
          });
   q.number("working_pitch_diameter_mm", "working pitch diameter of the pinion", "d_w",
-           "equal to the reference diameter of the pinion at every centre distance",
+           "equal to the reference diameter of the pinion at every mounting distance",
            [](const RackPair& v) { return v.pinion.reference_diameter; });
   q.term("pitch_line_velocity_m_per_s", "equal to the speed of the rack; only with `speed_rpm`",
          [](const RackPair& v) { return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM; })

@@ -21,7 +21,8 @@ inline constexpr int kMostCenters = 6;  // greatest number of models after the f
 inline constexpr double kNextReach = 0.25;
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
 
-/// The part of the bounds within a reach around a center.
+/// Returns a box around `center` that lies within the bounds. In each direction, it extends from
+/// `center` by at most `reach` times the width of the bounds.
 inline std::vector<Correction> around(const std::vector<Correction>& bounds, double reach,
                                       const std::vector<double>& center) {
   std::vector<Correction> box = bounds;

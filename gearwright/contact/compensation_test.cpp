@@ -18,7 +18,8 @@ namespace {
 
 using testing::SamplePair;
 
-// A pair, its errors, and its corrections: helix slope and helix crowning of gear 1, µm.
+// A pair with the modifications `drawn` of gear 1 and with the errors of each scenario. The
+// corrections are the helix slope and the helix crowning of gear 1, µm.
 struct Case {
   SamplePair sample;
   FlankModifications drawn{};

@@ -28,7 +28,8 @@ namespace gearwright {
 struct CurveExtremes {
   double least, greatest;
   PairTouch top;  ///< the touch with the greatest value
-  /// The touch with the least value; at a handover, one touch of each branch.
+  /// The touch with the least value, and a touch without contact. If the least value is at a
+  /// handover, one touch of each branch.
   std::array<PairTouch, 2> bottom;
   double span() const { return greatest - least; }
 };

@@ -50,7 +50,8 @@ TEST(Fit, none_has_a_reason_and_a_neighbour) {
   EXPECT_TRUE(f->branches.empty());
   const double least = 0.75 * std::pow(std::cbrt(169.0) + std::cbrt(676.0), 1.5);
   EXPECT_NEAR(*f->nearest_distance, least, 1e-12);
-  // At the nearest values, there is exactly one solution, or two solutions coincide.
+  // The nearest shaft angle is a limit. At this centre distance, the gears fit just below it, but
+  // not just above it.
   p.shaft_angle = *f->nearest_shaft_angle - Angle::radians(1e-9);
   EXPECT_FALSE(fit(p)->branches.empty());
   p.shaft_angle = *f->nearest_shaft_angle + Angle::radians(1e-6);

@@ -21,8 +21,9 @@ struct ContourField {
   double at(std::size_t row, std::size_t column) const { return value[row * columns + column]; }
 };
 
-/// Returns closed loops, (column, row), around all points below `level`. The region is their
-/// interior by the even-odd rule. The last point of a loop does not repeat the first.
+/// Returns closed loops around all points below `level`. The coordinates of a point are (column,
+/// row). The region is the interior of the loops by the even-odd rule. The last point of a loop
+/// does not repeat the first.
 ///
 /// Laws      (1) the corners of a loop lie on raster edges, where the linear value equals the
 ///           level, except next to infinite nodes and at the border of the raster

@@ -79,7 +79,7 @@ struct Layout {
   double left, right, top, bottom;  // px, of the plot
   double foot, height;              // px: y of the x axis below the lanes; height of the figure
   double note = 20.0;               // px, height of the line of the note
-  // px, height of the line of words above each lane; 0 if the words are left of the lane
+  // px, height of the line of words above each lane; 0 if the words are to the left of the lane
   double lane_words = 0.0;
   std::vector<AxisName> across, up;
 

@@ -91,7 +91,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "undercut has removed; the teeth do not collide, but contact ends earlier",
      "contact is lost where undercut has removed the flank"},
     {C::beyond_flank, "beyond_flank", kCaution,
-     "parts of the outlines meet before the flanks do, and the result has the entry beyond_flank",
+     "other parts of the teeth touch before the flanks do; they are listed in the entry "
+     "`beyond_flank` of the result",
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
     {C::saddle_gap, "saddle_gap", kCaution,
      "with an internal gear on crossed axes, the flanks overlap beside the line of action, so that "

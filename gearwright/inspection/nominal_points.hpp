@@ -35,8 +35,9 @@ struct PointGrid {
 
 /// Returns the point of the flank of tooth 0 at a roll angle and a height.
 ///
-/// Formula   φ = ±(ψ_b − σ ξ) + z 2π/p_z, point r_b (u ± σ ξ e), n = ±(cos β_b e − sin β_b k);
-///           [T10.26], modified [T10.27]
+/// Formula   φ = ±(ψ_b − σ ξ) + z 2π/p_z, point r_b (u ± σ ξ e) + z k, n = ±(cos β_b e − sin β_b k)
+///           with unit vectors u radial and e tangential at φ, and k along the axis; [T10.26]. For
+///           a modified flank, [T10.27]
 /// Units     rad, mm
 NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankSide side,
                            double roll, double height);

@@ -45,7 +45,8 @@ struct VariedInputs {
 };
 /// Domain    a job with a pair (contract)
 /// Errors    the key in [scatter], or the key of an accuracy grade, whose value is impossible. The
-///           kind of the error is `no_flank` for a grade of teeth without a usable flank
+///           kind of the error is `no_flank` if an accuracy grade is given for a gear that has no
+///           usable involute flank
 Result<VariedInputs> varied_inputs(const SolvedJob& job);
 
 /// Returns the setup and the task of [scatter]. The load, the scatter and the corrections are not

@@ -84,7 +84,8 @@ double least_half_width(const Gear& gear_1, const Gear& gear_2, const LoadReques
   return hertz_half_width(line_load, radius, 1 / soft);
 }
 
-// True if both bodies have the same table, which does not depend on Young's modulus.
+// True if the bodies of two gears with equal teeth and equal slices have equal tables of
+// compliance. A table does not depend on Young's modulus.
 bool same_body(const ElasticBody& a, const ElasticBody& b) {
   return a.bore_diameter == b.bore_diameter && a.poisson_ratio == b.poisson_ratio;
 }

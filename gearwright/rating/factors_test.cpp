@@ -253,7 +253,8 @@ TEST(Life, PrintedValues) {
   EXPECT_NEAR(root_life(K::through_hardened, 1506.3e6).factor.value, 0.883, 5e-4);
 }
 
-// σ_HG of a limited life lies on the straight line between static and reference stress.
+// For a limited life, log σ_HG is linear in log N between the static stress and the reference
+// stress.
 TEST(Life, OtherFactorsCountByTheSameLine) {
   const Life a = flank_life(MaterialKind::case_hardened, 1e5);
   const Life b = flank_life(MaterialKind::case_hardened, 5e7);

@@ -175,7 +175,7 @@ Figure teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
                       m, 0.0);
   f.caption = fmt::format(
       ", in the plane normal to the tooth. The gears are mounted without errors, and the normal "
-      "angle is {}°.",
+      "angle of the racks at the contact is {}°.",
       fixed(contact.at.theta.deg(), 3));
   f.keys = {{"g1", "gear 1, below"}, {"g2", "gear 2, above"}, {"action", "common normal"}};
   const double deep = 4.0 * m;

@@ -274,9 +274,10 @@ class Pictures {
       if (pictures.empty()) continue;
       text += fmt::format(
           "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Each picture shows a "
-          "planet in the frame of its carrier, turned so that the planet is at the top. Planets "
-          "with equal pictures touch at the same time. γ is the part of a period by which the mesh "
-          "of a planet lags behind the mesh of the first planet.</p>\n<div "
+          "planet in the frame of its carrier, turned so that the planet is at the top. The teeth "
+          "of planets with equal pictures come into contact at the same time. γ is the part of a "
+          "period by which the mesh of a planet lags behind the mesh of the first "
+          "planet.</p>\n<div "
           "class=\"multiples\">\n{}</div>\n{}</div>\n",
           escaped(graph_.bodies[set.group.carrier].name), pictures, resultants(set));
     }

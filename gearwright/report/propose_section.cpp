@@ -22,7 +22,9 @@ bool scored(const LoadedScore& s) {
   return std::isfinite(s.peak_to_peak.rad()) && std::isfinite(s.max_pressure);
 }
 
-// Returns a figure with a numbered dot for each proposal over transmission error and pressure.
+// Returns a figure of the greatest pressure versus the transmission error, with a numbered dot for
+// each proposal. A proposal has no dot if one of the two values is not known, or if a proposal
+// before it has the same spec.
 std::string effects(const ProposeView& v) {
   std::vector<DesignDot> dots;
   std::vector<std::string> numbers;

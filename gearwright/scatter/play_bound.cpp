@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// The least and the greatest value of a number over the corners.
+// The least and the greatest value of one part of a deviation over all `corners` that
+// least_play_bound() is given.
 struct PlayEnds {
   double least = kInfinity, greatest = -kInfinity;
 

@@ -2,8 +2,9 @@
 //
 // This header only declares the tree, because nlohmann/json.hpp makes each compilation 1 s longer,
 // and code that reads or writes text makes it another 2 s longer. Headers therefore include this
-// file, and only sources that access members of a tree include nlohmann/json.hpp. The functions
-// below read and write text.
+// file where the declaration is sufficient. nlohmann/json.hpp is included by headers whose structs
+// contain a tree, and by sources that access members of a tree. The functions below read and write
+// text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -151,8 +151,8 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
         "crossing_deg = [-0.02, 0.02] in [scatter.errors], for example. Other possibilities are "
         "span_mm and radius_mm in [scatter.bearings], thickness_allowance_mm = [-0.02, 0.02] or "
         "modifications in [scatter.gear1], and a grade (quality = 6). A table [scatter] without "
-        "ranges is sufficient if the drawing has a tolerance, such as center_distance_tolerance = "
-        "\"JS7\" in [pair]"));
+        "ranges is sufficient if another table has a tolerance, such as "
+        "center_distance_tolerance = \"JS7\" in [pair]"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

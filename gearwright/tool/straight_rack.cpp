@@ -57,7 +57,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
     const double a = rack.semi_topping_angle->deg();
     if (!(a > alpha_deg && a < 90.0)) {
       return refused("rack.semi_topping_angle", a, {alpha_deg, 90.0},
-                     "must lie between the pressure angle {}° and {}°, the ends excluded");
+                     "must be greater than the pressure angle {}° and less than {}°");
     }
     if (rack.tip_fillet_radius > 0.0) {
       return refused("rack.semi_topping_angle", a,
