@@ -306,10 +306,11 @@ void add_sliding(Quantities<Pair>& q) {
   auto of_involutes = q.part(as<InvolutePair>);
   add_sliding(
       of_involutes,
-      "sliding distance [at A, at E] per mm that the contact travels on the flank. On parallel "
-      "axes [T2.22], A or E is the start of the usable flank if the flank is undercut. The value "
-      "is negative where the mating gear drags the flank, and null at a base tangent point and "
-      "beyond it. On crossed axes [T4.25], it is the ratio of the magnitudes of the velocities",
+      "sliding distance [at A, at E] per mm that the contact travels on the flank. If a flank is "
+      "undercut, A or E is the end of the path of `contact_ratio_true`. On parallel axes [T2.22], "
+      "the value is negative where the mating gear drags the flank, and null at a base tangent "
+      "point and beyond it. On crossed axes [T4.25], it is the ratio of the magnitudes of the "
+      "velocities",
       [](const InvolutePair& p) {
         const auto &a = p.sliding_A, &e = p.sliding_E;
         return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};

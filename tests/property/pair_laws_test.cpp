@@ -385,5 +385,38 @@ TEST(EveryPairLaws, backlash_and_clearances_follow_the_distance) {
   });
 }
 
+// ρ at the end of contact at which the tip of the mating gear touches gear i.
+double contact_root_curvature(const InvolutePair& p, std::size_t i) {
+  const auto [start, end] = contact_ends(p);
+  return i == 0 ? start : p.mesh.rho2(end);
+}
+double contact_root_curvature(const RackPair& p, std::size_t) {
+  const double alpha_t = p.pinion.reference().transverse_pressure_angle;
+  return p.pinion.reference_diameter / 2 * std::sin(alpha_t) + p.contact_start();
+}
+
+std::vector<const Gear*> gears(const MountedGears& p) { return {&p.gears[0], &p.gears[1]}; }
+std::vector<const Gear*> gears(const RackPair& p) { return {&p.pinion}; }
+
+// On an undercut gear, contact begins on the usable flank.
+TEST(EveryPairLaws, contact_begins_on_the_usable_flank_of_an_undercut_gear) {
+  int undercut = 0;
+  over_every_kind(214, [&undercut](const auto&, const auto&, const auto& p) {
+    if (!(values(p).true_ratio > 0.0)) return;
+    const double size = p.center_distance + gear_sizes(p);
+    for (std::size_t i = 0; i < gears(p).size(); ++i) {
+      const Gear& gear = *gears(p)[i];
+      if (!gear.undercut) continue;
+      ++undercut;
+      const double rho = contact_root_curvature(p, i);
+      EXPECT_GE(rho, -16 * kEps * size) << "gear " << i + 1;
+      EXPECT_GE(std::hypot(gear.base_radius(), rho),
+                gear.root_form_radius().value() - 16 * kEps * size)
+          << "gear " << i + 1;
+    }
+  });
+  EXPECT_GT(undercut, 100);
+}
+
 }  // namespace
 }  // namespace gearwright::property
