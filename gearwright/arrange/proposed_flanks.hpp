@@ -32,15 +32,15 @@ namespace gearwright {
 
 enum class ReliefLength { short_relief, long_relief };
 
-/// Start diameters of the tip relief and of the root relief of gear `which`, mm. None if the axes
-/// cross or if the contact ratio of the flanks is at most 1. Long reliefs also need a contact ratio
-/// below 2, because otherwise there is no single pair contact.
+/// Start diameters of the tip relief and of the root relief of gear `which`, mm. None if the contact
+/// ratio of the flanks is at most 1. Long reliefs also need a contact ratio below 2, because
+/// otherwise there is no single pair contact.
 ///
 /// Formula   [T12.29]
 struct ReliefStarts {
   double tip, root;
 };
-std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
+std::optional<ReliefStarts> relief_starts(const ParallelPair& pair, int which,
                                           ReliefLength length = ReliefLength::short_relief);
 
 /// True if some tip or root relief has an amount but no start.
