@@ -49,7 +49,7 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      const PairCompliance& compliance,
                                                      ReliefLength length,
                                                      const LeadProposal* lead) {
-  const InvolutePair* const pair = arranged.pair->involute();
+  const ParallelPair* const pair = arranged.pair->parallel();
   GW_EXPECTS(pair != nullptr && task.request.regime == LoadRegime::line);
   const auto one = relief_starts(*pair, 1, length);
   const auto two = relief_starts(*pair, 2, length);
@@ -135,9 +135,9 @@ Error missing_relief_start(const GivenPair& given) {
   });
 }
 
-std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which, ReliefLength of) {
+std::optional<ReliefStarts> relief_starts(const ParallelPair& pair, int which, ReliefLength of) {
   const Mesh<double>& mesh = pair.mesh;
-  if (mesh.crossed || !(mesh.true_ratio > 1.0)) return std::nullopt;
+  if (!(mesh.true_ratio > 1.0)) return std::nullopt;
   const bool is_long = of == ReliefLength::long_relief;
   if (is_long && !(mesh.true_ratio < 2.0)) return std::nullopt;
   const double beyond = mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step;
@@ -158,7 +158,7 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which, R
 std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair) {
   const auto place = [&](int which, bool tip, Relief& relief,
                          const std::string& field) -> std::optional<Error> {
-    const InvolutePair* const involutes = pair.involute();
+    const ParallelPair* const involutes = pair.parallel();
     const auto starts = involutes ? relief_starts(*involutes, which) : std::nullopt;
     if (!starts) {
       return absent_input(field,

@@ -32,16 +32,15 @@ namespace gearwright {
 
 enum class ReliefLength { short_relief, long_relief };
 
-/// Start diameters of the tip relief and of the root relief of a gear, mm. relief_starts() returns
-/// none if the axes cross or if the contact ratio of the flanks is at most 1. It also returns none
-/// for long reliefs if the contact ratio is at least 2, because there is then no single pair
-/// contact.
+/// Start diameters of the tip relief and of the root relief of gear `which`, mm. relief_starts()
+/// returns none if the contact ratio of the flanks is at most 1. It also returns none for long
+/// reliefs if the contact ratio is at least 2, because there is then no single pair contact.
 ///
 /// Formula   [T12.29]
 struct ReliefStarts {
   double tip, root;
 };
-std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
+std::optional<ReliefStarts> relief_starts(const ParallelPair& pair, int which,
                                           ReliefLength length = ReliefLength::short_relief);
 
 /// True if some tip or root relief has an amount but no start.

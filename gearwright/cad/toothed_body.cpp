@@ -60,14 +60,9 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
     body.unmodified = "the gear has no usable flank";
     return std::nullopt;
   }
-  std::array<std::shared_ptr<const RemovalField>, 2> removal;
-  for (const std::size_t side : {0U, 1U}) {
-    auto field = make_removal_field(flanks[side], flank_extent(gear));
-    if (!field)
-      return within(side == 0 ? "modifications.right" : "modifications.left", field.error());
-    removal[side] = std::make_shared<const RemovalField>(std::move(field).take());
-  }
-  if (auto teeth = ModifiedTeeth::of(body, removal)) {
+  const auto removal = removal_of(gear, flanks);
+  if (!removal) return removal.error();
+  if (auto teeth = ModifiedTeeth::of(body, *removal)) {
     body.modified = std::make_shared<const ModifiedTeeth>(std::move(teeth).take());
   } else {
     body.unmodified = teeth.error().rule;

@@ -31,9 +31,12 @@ const Part* part_of(const Pair& v) {
   return p && p->*part ? &*(p->*part) : nullptr;
 }
 
+// Returns a getter with one function for each kind of pair. Without a function, the value is null.
 template <class... Of>
 auto by_kind(Of... of) {
-  return [get = Overloaded{of...}](const Pair& v) { return v.visit(get); };
+  return [get = Overloaded{of..., [](const MountedGears&) { return Value(); }}](const Pair& v) {
+    return v.visit(get);
+  };
 }
 
 bool flanks_meet(const Pair& v) { return v.contact_ratio() > 0.0; }
@@ -196,7 +199,6 @@ void add_contact(Quantities<Pair>& q) {
   q.term("transverse_contact_ratio",
          "for the path between the tip form circles of the two gears; null on crossed axes",
          by_kind([](const ParallelPair& p) { return Value(p.transverse_contact_ratio()); },
-                 [](const CrossedPair&) { return Value(); },
                  [](const ArcPair&) { return Value(0.0); }))
       .shown(is<InvolutePair>);
   q.term("contact_ratio_true",
@@ -213,7 +215,6 @@ void add_contact(Quantities<Pair>& q) {
       .doors(kPeople);
   q.term("overlap_ratio", "null on crossed axes",
          by_kind([](const ParallelPair& p) { return Value(p.mesh.overlap_ratio); },
-                 [](const CrossedPair&) { return Value(); },
                  [](const ArcPair& p) { return Value(p.overlap_ratio); }));
   q.under(kFace);
   q.part(as<ArcPair>)
@@ -284,12 +285,12 @@ void add_clearances(Quantities<Pair>& q) {
       .per_gear()
       .when()
       .expected();
-  q.number("fillet_clearance_mm", "clearance of root fillet to mating tip corner", "",
-           "per gear, least distance of the fillet from the tip corner of the mating gear [T2.26]; "
-           "null on crossed axes, or if no corner reaches the fillet",
-           by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
-                   [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
-                   [](const ArcPair&) { return Value(); }))
+  q.number(
+       "fillet_clearance_mm", "clearance of root fillet to mating tip corner", "",
+       "per gear, least distance of the fillet from the tip corner of the mating gear [T2.26]; "
+       "null on crossed axes, or if no corner reaches the fillet",
+       by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
+               [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); }))
       .per_gear()
       .when(is<InvolutePair>)
       .expected(is<ParallelPair>);
@@ -306,10 +307,11 @@ void add_sliding(Quantities<Pair>& q) {
   auto of_involutes = q.part(as<InvolutePair>);
   add_sliding(
       of_involutes,
-      "sliding distance [at A, at E] per mm that the contact travels on the flank. On parallel "
-      "axes [T2.22], A or E is the start of the usable flank if the flank is undercut. The value "
-      "is negative where the mating gear drags the flank, and null at a base tangent point and "
-      "beyond it. On crossed axes [T4.25], it is the ratio of the magnitudes of the velocities",
+      "sliding distance [at A, at E] per mm that the contact travels on the flank. If a flank is "
+      "undercut, A or E is the end of the path of `contact_ratio_true`. On parallel axes [T2.22], "
+      "the value is negative where the mating gear drags the flank, and null at a base tangent "
+      "point and beyond it. On crossed axes [T4.25], it is the ratio of the magnitudes of the "
+      "velocities",
       [](const InvolutePair& p) {
         const auto &a = p.sliding_A, &e = p.sliding_E;
         return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};

@@ -66,8 +66,27 @@ bool without_contact(const Error& error) {
   return error.kind == FailureKind::nothing_touches || error.kind == FailureKind::no_flank;
 }
 
+Result<SetupGear> SetupGear::of(const Gear& gear, int which, Angle cutter_lead) {
+  if (!gear.root_form_radius())
+    return Error{
+        gear_field(which), "",
+        "has no usable flank; the command `gearwright gear` prints a warning with the reason",
+        FailureKind::no_flank};
+  if (auto error = check_cutter_lead(gear, which, cutter_lead)) return *error;
+  return SetupGear{std::make_shared<const Gear>(gear)};
+}
+
+std::optional<Error> SetupGear::modify(int which, const std::array<FlankModifications, 2>& flanks,
+                                       bool wanted) {
+  if (!wanted && !removal[0] && !any_modification(flanks)) return std::nullopt;
+  auto made = removal_of(*gear, flanks);
+  if (!made) return of_gear(which, made.error());
+  removal = std::move(made).take();
+  return std::nullopt;
+}
+
 const RemovalField* ContactSetup::removal(int gear, bool left) const {
-  return removal_[gear - 1][left ? 1 : 0].get();
+  return gears_[gear - 1].removal[left ? 1 : 0].get();
 }
 
 ContactPair ContactSetup::pair(const ContactErrors& errors, bool gear2_drives) const {
@@ -88,16 +107,13 @@ std::shared_ptr<const ContactPair> ContactSetup::shared_pair(const ContactErrors
 }
 
 ContactPair ContactSetup::at(const ContactMount& place) const {
-  const auto of = [&](int i) {
-    return ContactGear{gears_[i].get(), {removal_[i][0].get(), removal_[i][1].get()}};
-  };
-  return ContactPair(of(0), of(1), place);
+  return ContactPair(gears_[0].flanks(), gears_[1].flanks(), place);
 }
 
 std::optional<ContactPair> ContactSetup::outlines(bool gear2_drives) const {
   for (int i = 0; i < 2; ++i) {
     const double delta_lambda = place_.errors.cutter_lead[i].rad();
-    if (delta_lambda != 0.0 && !recut_outline(*gears_[i], delta_lambda)) return std::nullopt;
+    if (delta_lambda != 0.0 && !recut_outline(gear(i + 1), delta_lambda)) return std::nullopt;
   }
   ContactMount place = place_;
   place.gear2_drives = gear2_drives;
@@ -107,7 +123,7 @@ std::optional<ContactPair> ContactSetup::outlines(bool gear2_drives) const {
 
 std::optional<int> ContactSetup::convex_gear() const {
   for (int i = 0; i < 2; ++i) {
-    const auto* arc = std::get_if<ArcRack>(&gears_[i]->spec.rack);
+    const auto* arc = std::get_if<ArcRack>(&gear(i + 1).spec.rack);
     if (!arc) return std::nullopt;
     if (arc->cutter == ArcRack::Cutter::F) return i + 1;
   }
@@ -120,20 +136,18 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
     const ModificationAmounts& by = change.flank[i];
     if (by == ModificationAmounts{}) continue;
-    const bool left = gears_[i]->left_flank_works(change.left);
+    const bool left = gear(i + 1).left_flank_works(change.left);
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
       for (const ModificationMember& one : kModifications)
         if (!is_slope(one.kind) || left == (side == 1)) one.amount_of(m) += by[one.kind];
-      auto field = make_removal_field(m, flank_extent(*gears_[i]));
-      if (!field) return of_flank(i + 1, side, field.error());
-      setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
     }
+    if (auto error = setup.gears_[i].modify(i + 1, setup.modifications_[i], true)) return *error;
   }
   if (change.tool_setting != 0.0) {
     const auto which = convex_gear();
     GW_EXPECTS(which.has_value());
-    CylindricalSpec spec = gears_[*which - 1]->spec;
+    CylindricalSpec spec = gear(*which).spec;
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
@@ -144,7 +158,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     if (!gear->exists() || !gear->root_form_radius())
       return Error{"compensate.corrections", "tool_setting_mm",
                    "no tooth is left after this tool setting"};
-    setup.gears_[*which - 1] = std::make_shared<const Gear>(std::move(gear).take());
+    setup.gears_[*which - 1].gear = std::make_shared<const Gear>(std::move(gear).take());
   }
   return setup;
 }
@@ -158,30 +172,17 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
   setup.place_.errors = errors;
   setup.modifications_ = modifications;
   for (int i = 0; i < 2; ++i) {
-    setup.gears_[i] = std::make_shared<const Gear>(pair.gear(i + 1));
-    const Gear& gear = setup.gear(i + 1);
-    if (!gear.root_form_radius())
-      return Error{
-          gear_field(i + 1), "",
-          "has no usable flank; the command `gearwright gear` prints a warning with the reason",
-          FailureKind::no_flank};
-    if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
+    auto gear = SetupGear::of(pair.gear(i + 1), i + 1, errors.cutter_lead[i]);
+    if (!gear) return gear.error();
+    setup.gears_[i] = std::move(gear).take();
   }
   if (auto error = setup.make_fields(fields)) return *error;
   return setup;
 }
 
 std::optional<Error> ContactSetup::make_fields(std::array<bool, 2> wanted) {
-  for (int i = 0; i < 2; ++i) {
-    wanted[i] = wanted[i] || removal_[i][0];
-    removal_[i] = {};
-    if (!wanted[i] && !any_modification(modifications_[i])) continue;
-    for (int side = 0; side < 2; ++side) {
-      auto field = make_removal_field(modifications_[i][side], flank_extent(*gears_[i]));
-      if (!field) return of_flank(i + 1, side, field.error());
-      removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
-    }
-  }
+  for (int i = 0; i < 2; ++i)
+    if (auto error = gears_[i].modify(i + 1, modifications_[i], wanted[i])) return error;
   return std::nullopt;
 }
 
@@ -230,9 +231,15 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
                   format_number(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
 }
 
-Error of_flank(int which, int side, Error error) {
-  const char* const flank = side == 0 ? "modifications.right" : "modifications.left";
-  return of_gear(which, within(flank, std::move(error)));
+Result<FlankRemoval> removal_of(const Gear& gear, const std::array<FlankModifications, 2>& flanks) {
+  FlankRemoval removal;
+  for (const std::size_t side : {0, 1}) {
+    auto field = make_removal_field(flanks[side], flank_extent(gear));
+    if (!field)
+      return within(side == 0 ? "modifications.right" : "modifications.left", field.error());
+    removal[side] = std::make_shared<const RemovalField>(std::move(field).take());
+  }
+  return removal;
 }
 
 FlankExtent flank_extent(const Gear& gear) {

@@ -33,6 +33,26 @@ struct SetupChange {
   bool left = false;  ///< true if the left flanks of gear 1 are the working flanks (gear 2 drives)
 };
 
+/// The material that the modifications of a gear remove from its right and from its left flanks.
+using FlankRemoval = std::array<std::shared_ptr<const RemovalField>, 2>;
+
+/// A gear and the material that its modifications remove. Copies share both.
+struct SetupGear {
+  std::shared_ptr<const Gear> gear;
+  FlankRemoval removal{};
+
+  /// Checks the gear and the change of the lead angle of its cutter.
+  ///
+  /// Errors    `gearN` without a usable flank; `errors.cutter_lead[N−1]` as check_cutter_lead
+  static Result<SetupGear> of(const Gear& gear, int which, Angle cutter_lead);
+  /// Makes the fields. Without modifications, a gear without fields gets them only if `wanted`.
+  ///
+  /// Errors    `gearN.modifications.…` as make_removal_field
+  std::optional<Error> modify(int which, const std::array<FlankModifications, 2>& flanks,
+                              bool wanted);
+  ContactGear flanks() const { return {gear.get(), {removal[0].get(), removal[1].get()}}; }
+};
+
 class ContactSetup {
  public:
   /// Makes the setup of a pair. If `fields` is true for a gear, the gear gets a field of removed
@@ -55,8 +75,8 @@ class ContactSetup {
   /// gear of this cutter.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
-  const Gear& gear(int which) const { return *gears_[which - 1]; }
-  std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
+  const Gear& gear(int which) const { return *gears_[which - 1].gear; }
+  std::array<const Gear*, 2> gears() const { return {&gear(1), &gear(2)}; }
   const RemovalField* removal(int gear, bool left) const;
   /// Returns the setup after this change.
   ///
@@ -83,9 +103,8 @@ class ContactSetup {
   ContactPair at(const ContactMount& place) const;
   std::optional<Error> make_fields(std::array<bool, 2> wanted);
 
-  std::array<std::shared_ptr<const Gear>, 2> gears_;
+  std::array<SetupGear, 2> gears_;
   PairModifications modifications_;
-  std::array<std::array<std::shared_ptr<const RemovalField>, 2>, 2> removal_;
   ContactMount place_;
 };
 
@@ -101,9 +120,11 @@ bool any_modification(const std::array<FlankModifications, 2>& flanks);
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// Converts an error in the modifications of a flank to an error of gear `which`. `side` is 0 for
-/// the right flank and 1 for the left flank.
-Error of_flank(int which, int side, Error error);
+/// Makes the fields of material that the modifications remove.
+///
+/// Domain    a gear with a root form radius (contract)
+/// Errors    `modifications.right.…` or `modifications.left.…` as make_removal_field
+Result<FlankRemoval> removal_of(const Gear& gear, const std::array<FlankModifications, 2>& flanks);
 
 /// The usable flank of a gear, to which its modifications apply.
 ///

@@ -8,17 +8,6 @@
 
 namespace gearwright {
 
-namespace {
-
-// A pair, and the pinion and the fields of removed material to which the pair points.
-struct Held {
-  Gear pinion;
-  std::array<std::shared_ptr<const RemovalField>, 2> removal;
-  std::optional<ContactPair> pair;
-};
-
-}  // namespace
-
 std::optional<Error> check_rack_errors(const ContactErrors& errors) {
   const bool slope = errors.helix_twist[1] != 0.0;
   if (!slope && errors.cutter_lead[1] == Angle()) return std::nullopt;
@@ -33,35 +22,25 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
                                                         const ContactOptions& options) {
   const auto& [right, left] = options.modifications[0];
   GW_EXPECTS(!any_modification({options.modifications[1].right, options.modifications[1].left}));
-  const Gear& pinion = pair.pinion;
-  if (!pinion.root_form_radius())
-    return Error{
-        gear_field(1), "",
-        "has no usable flank; the command `gearwright gear` prints a warning with the reason",
-        FailureKind::no_flank};
+  auto made = SetupGear::of(pair.pinion, 1, errors.cutter_lead[0]);
+  if (!made) return made.error();
   if (auto error = check_rack_errors(errors)) return *error;
-  if (auto error = check_cutter_lead(pinion, 1, errors.cutter_lead[0])) return *error;
-
-  // Derivatives with respect to a modification need the field of removed material, even if nothing
-  // is removed.
+  SetupGear pinion = std::move(made).take();
   const auto& influences = options.request.influences;
-  const bool fields = any_modification({right, left}) ||
-                      std::any_of(influences.begin(), influences.end(),
+  const bool wanted = std::any_of(influences.begin(), influences.end(),
                                   [](const Influence& i) { return i.modified_gear == 1; });
-  const auto held = std::make_shared<Held>(Held{pinion, {}, {}});
-  for (int side = 0; fields && side < 2; ++side) {
-    auto field = make_removal_field(side == 0 ? right : left, flank_extent(pinion));
-    if (!field) return of_flank(1, side, field.error());
-    held->removal[static_cast<std::size_t>(side)] =
-        std::make_shared<const RemovalField>(std::move(field).take());
-  }
+  if (auto error = pinion.modify(1, {right, left}, wanted)) return *error;
   ContactMount mount;
   mount.center_distance = pair.center_distance;
   mount.errors = errors;
   mount.gear2_drives = options.gear2_drives;
-  held->pair.emplace(ContactGear{&held->pinion, {held->removal[0].get(), held->removal[1].get()}},
-                     pair.rack, mount);
-  return std::shared_ptr<const ContactPair>(held, &*held->pair);
+  struct Held {
+    SetupGear pinion;
+    ContactPair pair;
+  };
+  const auto held =
+      std::make_shared<const Held>(Held{pinion, ContactPair(pinion.flanks(), pair.rack, mount)});
+  return std::shared_ptr<const ContactPair>(held, &held->pair);
 }
 
 Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,

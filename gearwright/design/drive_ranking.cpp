@@ -30,11 +30,9 @@ std::optional<double> estimated_mass(const DriveSearchProblem& problem,
   const PerMember& helix = problem.base.helix_deg;
   const double transverse =
       1.0 / std::cos(Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad());
-  // σ is 1 for an external gear and −1 for a ring.
-  const auto mass = [&](int teeth, int sigma, double module, double width, double density) {
-    const double d = module * teeth * transverse;
-    return GearBody{density, width, sigma * teeth, d + 2 * sigma * module, d - 2.5 * sigma * module,
-                    module}
+  const auto mass = [&](int teeth, double module, double width, double density) {
+    const double sigma = side_of(teeth), d = module * std::abs(teeth) * transverse;
+    return GearBody{density, width, teeth, d + 2 * sigma * module, d - 2.5 * sigma * module, module}
         .mass();
   };
   const auto& given = problem.base.face_width;
@@ -45,19 +43,17 @@ std::optional<double> estimated_mass(const DriveSearchProblem& problem,
     const double module = sized.stage_module(k);
     const double width = sized.face_widths.empty() ? given.all.value_or(kFaceModules * module)
                                                    : sized.face_widths[k];
-    for (const int teeth : sized.stages[k])
-      sum += mass(teeth, 1, module, width, problem.density[0]);
+    for (const int teeth : sized.stages[k]) sum += mass(teeth, module, width, problem.density[0]);
   }
   const PerMember widths = member_face_widths(sized);
   for (std::size_t m = 0; m < kSetMembers; ++m) {
     if (sized.teeth[m] == 0) continue;
     const auto member = static_cast<SetMember>(m);
-    const bool ring = member == SetMember::ring || member == SetMember::ring2;
     const bool rides = member == SetMember::planet || member == SetMember::planet2;
     const double width =
         widths.each[m].value_or(given.of(member).value_or(kFaceModules * sized.module));
     sum += (rides ? sized.planets : 1) *
-           mass(sized.teeth[m], ring ? -1 : 1, sized.module, width, problem.density[m]);
+           mass(signed_teeth(member, sized.teeth[m]), sized.module, width, problem.density[m]);
   }
   return sum;
 }

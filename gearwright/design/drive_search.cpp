@@ -80,9 +80,8 @@ struct SetMeshes {
     for (const M central : {M::sun, M::sun2, M::ring, M::ring2}) {
       const int teeth = z[at(central)];
       if (teeth == 0) continue;
-      const bool ring = central == M::ring || central == M::ring2;
       members[count] = central;
-      list[count++] = {z[at(rider_of(z, central))], ring ? -teeth : teeth};
+      list[count++] = {z[at(rider_of(z, central))], signed_teeth(central, teeth)};
     }
   }
 };
@@ -225,7 +224,7 @@ class SetSearch {
 Result<Ends> ends_of(const DriveSearchProblem& problem) {
   DriveCandidate any;
   for (const M m : members_of(problem))
-    any.teeth[at(m)] = m == M::ring || m == M::ring2 ? 60 + static_cast<int>(at(m)) : 20;
+    any.teeth[at(m)] = is_ring(m) ? 60 + static_cast<int>(at(m)) : 20;
   const auto graph = graph_of(set_of(problem, any));
   if (!graph) return graph.error();
   const auto body = [&](std::size_t b) {
@@ -354,8 +353,7 @@ std::vector<SetMember> members_of(const DriveSearchProblem& problem) {
 
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member) {
   if (const auto& own = problem.teeth[at(member)]) return *own;
-  const bool ring = member == M::ring || member == M::ring2;
-  return ring ? TeethBand{30, 150} : TeethBand{12, 60};
+  return is_ring(member) ? TeethBand{30, 150} : TeethBand{12, 60};
 }
 
 void complete_ends(DriveSearchProblem& problem) {

@@ -21,8 +21,6 @@ using M = SetMember;
 constexpr std::array<M, kSetMembers> kMembers{M::sun,     M::sun2, M::idler, M::planet,
                                               M::planet2, M::ring, M::ring2};
 
-bool is_ring(M m) { return m == M::ring || m == M::ring2; }
-
 struct SetMesh {
   std::string name;
   M first, second;
@@ -328,7 +326,8 @@ void PairStage::set_teeth(const PairTeeth& given) {
     spec.teeth = teeth[i];
     spec.normal_module = given.normal_module;
     spec.normal_pressure_angle = given.normal_pressure_angle;
-    spec.helix_angle = Angle::degrees(i == 0 || teeth[1] < 0 ? given.helix_deg : -given.helix_deg);
+    spec.helix_angle =
+        Angle::degrees(i == 0 ? given.helix_deg : -side_of(teeth[1]) * given.helix_deg);
     spec.face_width = given.face_width.value_or(10 * given.normal_module);
     spec.thickness_allowance = given.allowance[i].value_or(0.0);
     specs[i] = spec;
@@ -374,7 +373,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& given) {
   for (const M m : kMembers) {
     if (!spec.z(m)) continue;
     const auto body = find_body(graph, m == M::planet2 ? "planet" : to_string(m), "");
-    const int teeth = is_ring(m) ? -std::abs(*spec.z(m)) : *spec.z(m);
+    const int teeth = signed_teeth(m, *spec.z(m));
     gear_of[static_cast<std::size_t>(m)] = graph.gears.size();
     DriveGear gear{to_string(m), *body,        teeth,
                    std::nullopt, std::nullopt, spec.profile_shift.of(m)};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,13 @@ namespace gearwright {
 enum class SetMember { sun, sun2, idler, planet, planet2, ring, ring2 };
 inline constexpr std::size_t kSetMembers = 7;
 const char* to_string(SetMember member);
+constexpr bool is_ring(SetMember member) {
+  return member == SetMember::ring || member == SetMember::ring2;
+}
+/// Returns z, which is < 0 for a ring, if the number of teeth has either sign.
+inline int signed_teeth(SetMember member, int teeth) {
+  return is_ring(member) ? -std::abs(teeth) : teeth;
+}
 /// Returns the names of all members, in the order of SetMember.
 std::vector<std::string> set_member_names();
 

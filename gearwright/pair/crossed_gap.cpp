@@ -298,8 +298,8 @@ std::vector<TipPoint> tip_points(const Body& body) {
 
 }  // namespace
 
-std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
-  GW_EXPECTS(pair.crossed() && pair.gears[0].tooth && pair.gears[1].tooth);
+std::vector<OutlineTouch> crossed_gaps(const CrossedPair& pair) {
+  GW_EXPECTS(pair.gears[0].tooth && pair.gears[1].tooth);
   const std::array<Body, 2> bodies{body_of(pair, 1), body_of(pair, 2)};
   const double ratio = static_cast<double>(bodies[0].teeth) / bodies[1].teeth;
   std::vector<OutlineTouch> touches;

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "gearwright/pair/mounted_gears.hpp"
+#include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright::detail {
 
@@ -23,12 +23,12 @@ namespace gearwright::detail {
 /// it is less than the gap to the fillet.
 ///
 /// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
-/// Domain    crossed axes and two gears with a tooth (contract); tips above the mating roots
+/// Domain    two gears with a tooth (contract); tips above the mating roots
 /// Accuracy  every gap is the rotation that brings two points of the surfaces together. A minimum
 ///           is exact to rounding. If two minima are less than one grid step apart, one of them may
 ///           be missed. The grid of an external pair has 9 × 9 nodes. The grid of an internal pair
 ///           has 49 nodes around the circumference and 9 over the face. A rounded tip is evaluated
 ///           at 17 points.
-std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
+std::vector<OutlineTouch> crossed_gaps(const CrossedPair& pair);
 
 }  // namespace gearwright::detail

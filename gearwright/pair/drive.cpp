@@ -41,7 +41,7 @@ std::optional<double> face_width_for_overlap(const ParallelPair& pair) {
 
 std::array<double, 2> contact_ends(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
-  if (m.crossed || !(m.true_ratio > 0.0)) return {m.rho1_A, m.rho1_E};
+  if (!(m.true_ratio > 0.0)) return {m.rho1_A, m.rho1_E};
   return {pair.gears[0].undercut ? m.rho1_true_begin : m.rho1_A,
           pair.gears[1].undercut ? m.rho1_true_end : m.rho1_E};
 }

@@ -1,6 +1,6 @@
-// Functions for a pair on parallel axes: the ends of contact, the required face widths, the axial
-// force, and the effect of a change of the centre distance. For double-helical gears, contact
-// ratios and face widths refer to one half.
+// The ends of contact of a pair and, for parallel axes, the required face widths, the axial force
+// and the effect of a change of the centre distance. For double-helical gears, contact ratios and
+// face widths refer to one half.
 //
 //   ε_α   transverse contact ratio of the clipped path     ε_β   overlap ratio, b |tan β_b|/p_bt
 //                                              theory: docs/theory/06-few-teeth.md, 6.6
@@ -28,8 +28,8 @@ std::optional<double> face_width_needed(const ParallelPair& pair);
 std::optional<double> face_width_for_overlap(const ParallelPair& pair);
 
 /// Returns ρ_1 at the start and the end of contact, mm. These points are usually A and E. If
-/// undercut has removed a part of a flank on parallel axes, contact on this flank ends at the end
-/// of the clipped path. If no part of the path remains, the function returns A and E.
+/// undercut has removed a part of a flank, contact on this flank ends at the end of the clipped
+/// path. If no part of the path remains, the function returns A and E.
 std::array<double, 2> contact_ends(const InvolutePair& pair);
 
 /// The parts of the transverse contact ratio before the pitch point (approach) and after it

@@ -39,9 +39,9 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
            -amount, where, gear)});
 }
 
-// For a crossed internal pair, returns the reduction of the clearance between a tip and the mating
-// roots, compared with the clearance on the centre line. The clearance is least at an end of the
-// region in which both faces overlap. [T4.37]
+// Returns the reduction of the clearance between a tip and the mating roots, compared with the
+// clearance on the centre line. In a crossed internal pair, the clearance is least at an end of the
+// region in which both faces overlap. In other pairs, it is least on the centre line. [T4.37]
 double nearer_at_ends(const InvolutePair& p, int tip) {
   if (!p.crossed_inside()) return 0.0;
   const bool ring = tip == 2;
@@ -100,9 +100,8 @@ void find_tip_clearance(InvolutePair& p) {
   p.tip_clearance =
       tip_clearances({g1.actual_tip_radius(), g2.actual_tip_radius()},
                      {g1.root_diameter / 2, g2.root_diameter / 2}, p.center_distance, p.side());
-  if (p.side() < 0.0)
-    for (int i : {0, 1}) p.tip_clearance[i] -= nearer_at_ends(p, i + 1);
   for (int i : {0, 1}) {
+    p.tip_clearance[i] -= nearer_at_ends(p, i + 1);
     if (std::abs(p.tip_clearance[i]) <= noise(p)) {
       const double m = p.gears[0].spec.normal_module;
       p.warnings.push_back(

@@ -178,6 +178,20 @@ std::optional<double> backlash_free_distance(const CrossedPair& p) {
   return a > 0.0 ? std::optional(a) : std::nullopt;
 }
 
+// The pitch point is at x = +r_w1 for an external pair and at −r_w1 for an internal pair. Gear 1
+// turns clockwise, so the normal of the leading flanks is (sin α, −cos α). For an internal pair, it
+// has the opposite direction.
+LineOfAction line_of(const ParallelPair& p) {
+  const double alpha = p.mesh.rack.sides[0].transverse_angle;
+  return {std::sin(alpha), std::cos(alpha), 0.0, 0.0, p.side()};
+}
+
+LineOfAction line_of(const CrossedPair& p) {
+  const CommonRack<double>& rack = p.mesh.rack;
+  return {rack.angles.sin_alpha, rack.angles.u[0], p.mesh.line_offset / rack.sides[0].cos_helix,
+          p.mesh.tan_base_helix[0], 1.0};
+}
+
 // Sets the quantities that only pairs on parallel axes have.
 void find_own(ParallelPair& p) {
   if (p.gears[1].internal()) detail::find_internal_margins(p);
@@ -212,6 +226,7 @@ Result<Kind> mounted(Gear gear_1, Gear gear_2, const PairPlace& place,
   if (auto error = check_place(p)) return *error;
   p.gears = {std::move(gear_1), std::move(gear_2)};
   p.mesh = mesh_of(p.input);
+  p.line = line_of(p);
   find_distances(p);
   p.backlash_free_center_distance = backlash_free_distance(p);
   const auto [start, end] = contact_ends(p);
@@ -285,19 +300,11 @@ double InvolutePair::contact_ratio_true() const {
 }
 
 Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
-  const auto& side = mesh.rack.sides[0];
   const double from_pitch_point = rho1 - mesh.rho1_C;
-  if (crossed()) {
-    const double lambda = from_pitch_point / mesh.line_cosine;
-    return {Vec3(mesh.sigma * (side.pitch_radius + lambda * mesh.rack.angles.sin_alpha),
-                 -mesh.sigma * lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
-  }
-  // The pitch point is at x = +r_w1 for an external pair and at −r_w1 for an internal pair. Gear 1
-  // turns clockwise, so the normal of the leading flanks is (sin α, −cos α). For an internal pair,
-  // it has the opposite direction.
-  const double alpha = side.transverse_angle;
-  return {mesh.sigma * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
-                            -from_pitch_point * std::cos(alpha), 0.0)};
+  const double lambda = from_pitch_point / mesh.line_cosine;
+  const double r_w1 = mesh.rack.sides[0].pitch_radius;
+  return {Vec3(mesh.sigma * (r_w1 + lambda * line.across), -mesh.sigma * lambda * line.along,
+               line.z_side * (line.height + from_pitch_point * line.rise))};
 }
 
 Point<Housing> InvolutePair::on_trailing_line(double rho1) const {

@@ -40,11 +40,21 @@ struct CrossedPlaces {
   bool limit;  ///< true if a helix angle is 90° at `hi`; no gear exists there
 };
 
+/// The line of action of the leading flanks in the housing. λ is the distance from the pitch point
+/// in mm, λ = (ρ_1 − ρ_1C)/line_cosine. [T1.6], [T4.20]
+struct LineOfAction {
+  double across, along;  ///< dx/dλ and −dy/dλ of an external pair: sin α_n and cos α_n cos β_1; on
+                         ///< parallel axes sin α_wt and cos α_wt
+  double height, rise;  ///< z at the pitch point, mm, and dz/dρ_1; 0 on parallel axes
+  double z_side;        ///< 1; on parallel axes σ, which is the sign of z = 0
+};
+
 /// The members that all involute pairs have, on parallel and on crossed axes.
 struct InvolutePair : MountedGears {
   InvolutePair() = default;  ///< empty; prevents aggregate initialisation
   MeshInput<double> input;
   Mesh<double> mesh;
+  LineOfAction line;
   std::optional<double>
       backlash_free_center_distance;  ///< for the teeth as cut (with allowances), mm
   double extended_center_distance;    ///< mm

@@ -45,7 +45,6 @@ struct Backlash {
 
 template <class T>
 struct Mesh {
-  bool crossed;
   CommonRack<T> rack;       ///< working angles, pitch radii
   T pitch_plane_distance;   ///< X     mm
   T line_offset;            ///< z_L   mm; the trailing line lies at −z_L
@@ -173,19 +172,22 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   const T pi = atan(T(1)) * T(4);
   const BasePair<T>& gears = in.gears;
   Mesh<T> m;
-  m.crossed = in.shaft_angle.has_value();
   m.sigma = side_of(gears);
   m.rack = common_rack(gears, working_angles(in));
-  const T c_1 = cos(gears[0].helix_angle);
-  const T c_2 = cos(gears[1].helix_angle);
-  m.base_cosine_ratio = m.crossed ? T(c_2 / c_1) : T(1);
-  m.line_cosine = m.crossed ? c_1 : T(1);
   const auto& sides = m.rack.sides;
   for (int i : {0, 1}) {
     m.tan_base_helix[i] = tan(gears[i].helix_angle);
     m.pitch_point_curvature[i] = sides[i].pitch_point_curvature;
   }
-  if (m.crossed) {
+  const T p_bt = T(2) * pi * gears[0].radius / T(gears[0].teeth);
+  const T face = in.face_width[0] < in.face_width[1] ? in.face_width[0] : in.face_width[1];
+  if (in.shaft_angle) {
+    const T c_1 = cos(gears[0].helix_angle);
+    const T c_2 = cos(gears[1].helix_angle);
+    m.base_cosine_ratio = c_2 / c_1;
+    m.line_cosine = c_1;
+    m.step = p_bt * c_1 * c_1;
+    m.overlap_ratio = T(0);
     m.pitch_plane_distance =
         m.sigma * (in.center_distance - sides[1].pitch_radius) - sides[0].pitch_radius;
     m.line_offset = -m.pitch_plane_distance * m.rack.angles.cos_alpha /
@@ -195,25 +197,25 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
                               m.pitch_point_curvature[1] * c_1 / c_2 +
                               m.sigma * m.pitch_plane_distance * c_1 / m.rack.angles.sin_alpha;
   } else {
+    m.base_cosine_ratio = T(1);
+    m.line_cosine = T(1);
+    m.step = p_bt;
+    m.overlap_ratio = leaf::overlap_of(face, m.tan_base_helix[0], p_bt);
     m.pitch_plane_distance = T(0);
     m.line_offset = T(0);
     m.base_tangent_distance = sides[0].tan_transverse * base_radius_sum(gears);  // N = a sin α_wt
   }
 
-  const T p_bt = T(2) * pi * gears[0].radius / T(gears[0].teeth);
   const T rho2_A = leaf::curvature_at(in.tip_form_radius[1], gears[1].radius);
   m.rho1_A = leaf::rho_1_where(m.base_tangent_distance, m.sigma, T(rho2_A / m.base_cosine_ratio));
   m.rho1_E = leaf::curvature_at(in.tip_form_radius[0], gears[0].radius);
-  m.step = m.crossed ? T(p_bt * c_1 * c_1) : p_bt;
   m.rho1_B = m.rho1_E - m.step;
   m.rho1_C = m.pitch_point_curvature[0];
   m.rho1_D = m.rho1_A + m.step;
   m.path_length = m.rho1_E - m.rho1_A;
   m.path_ratio = leaf::contact_ratio(m.rho1_A, m.rho1_E, m.step);
-  const T face = in.face_width[0] < in.face_width[1] ? in.face_width[0] : in.face_width[1];
-  m.overlap_ratio = m.crossed ? T(0) : leaf::overlap_of(face, m.tan_base_helix[0], p_bt);
   detail::clip_to_flanks(in, m);
-  if (m.crossed) detail::clip_to_faces(in, m);
+  if (in.shaft_angle) detail::clip_to_faces(in, m);
   const T true_ratio = leaf::contact_ratio(m.rho1_true_begin, m.rho1_true_end, m.step);
   m.true_ratio = leaf::max_of(true_ratio, T(0));
   m.backlash = detail::backlash_of(in, m);
@@ -263,7 +265,7 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
   const std::array<T, 2> rho{rho1, mesh.rho2(rho1)};
   FlankSpeeds<T> w;
   for (int i : {0, 1}) {
-    if (!mesh.crossed) {
+    if (!in.shaft_angle) {
       w.across[i] = omega[i] * rho[i];
       w.along[i] = T(0);
       continue;
@@ -300,7 +302,7 @@ SpecificSliding<T> specific_sliding(const MeshInput<T>& in, const Mesh<T>& mesh,
   using std::sqrt;
   const FlankSpeeds<T> w = flank_speeds(in, mesh, rho1);
   SpecificSliding<T> s;
-  if (!mesh.crossed) {
+  if (!in.shaft_angle) {
     // At a base tangent point, the speed is 0, but rounding may give it either sign.
     const T least = T(kNoSpeed) * (w.across[0] + w.across[1]);
     if (!(w.across[0] > least) || !(w.across[1] > least)) return s;

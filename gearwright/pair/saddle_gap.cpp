@@ -17,7 +17,7 @@ struct Saddle {
 };
 
 Saddle saddle_of(const MeshInput<double>& in, const Mesh<double>& mesh) {
-  GW_EXPECTS(mesh.crossed && mesh.sigma < 0.0 && mesh.base_tangent_distance > 0.0);
+  GW_EXPECTS(in.shaft_angle && mesh.sigma < 0.0 && mesh.base_tangent_distance > 0.0);
   const auto& sides = mesh.rack.sides;
   const double sin_a = mesh.rack.angles.sin_alpha;
   const double eta = std::atan(sides[0].tan_helix * sin_a) - std::atan(sides[1].tan_helix * sin_a);

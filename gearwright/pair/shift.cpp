@@ -94,7 +94,7 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
     if (p.x1 && p.x2) return ShiftSolution{*p.x1, *p.x2, a};
     const double sum =
         p.mounting == Mounting::extended
-            ? (external ? a - a_d : a_d - a) / p.normal_module
+            ? (side_of(p.z2) * (a - a_d) + 0.0) / p.normal_module  // without −0
             : tight_shift_sum(p.z1, p.z2, p.normal_module, alpha_n, alpha_t, cos_beta, a);
     return divided(p, sum, a);
   }

@@ -13,18 +13,18 @@ namespace {
 constexpr double kCentrodeAspect = 520.0 / 400.0;
 constexpr double kMinShift = 0.02;  // m_n; a smaller |a − a_d| is not visible
 
-double reference_radius(const InvolutePair& pair, std::size_t i) {
+double reference_radius(const ParallelPair& pair, std::size_t i) {
   return pair.gears[i].reference_diameter / 2;
 }
 
 // a − a_d, mm
-double shift_of(const InvolutePair& pair) {
+double shift_of(const ParallelPair& pair) {
   return pair.center_distance - pair.reference_center_distance;
 }
 
 // Draws the reference circles near the mesh, with the axes at the centre distance a.
 Figure with_axes(const std::string& id, const std::string& title, const std::string& description,
-                 const InvolutePair& pair, double a) {
+                 const ParallelPair& pair, double a) {
   const double r_1 = reference_radius(pair, 0), r_2 = reference_radius(pair, 1);
   const double half =
       std::max(3.2 * std::abs(shift_of(pair)), 1.2 * pair.gears[0].spec.normal_module);
@@ -59,7 +59,7 @@ void add_dimension(Figure& f, double x_1, double x_2, double length) {
   f.marks.back().length = {length, kLengthDigits};
 }
 
-Figure before_figure(const InvolutePair& pair) {
+Figure before_figure(const ParallelPair& pair) {
   Figure f = with_axes("centrodes-before", "Without profile shift",
                        "The reference circles of both gears near the mesh, touching on the centre "
                        "line at I.",
@@ -68,7 +68,7 @@ Figure before_figure(const InvolutePair& pair) {
   return f;
 }
 
-Figure after_figure(const InvolutePair& pair) {
+Figure after_figure(const ParallelPair& pair) {
   const double a = pair.center_distance;
   Figure f = with_axes("centrodes-after", "With profile shift",
                        "Reference circles and working pitch circles of both gears near the mesh; "
@@ -85,14 +85,13 @@ Figure after_figure(const InvolutePair& pair) {
 
 }  // namespace
 
-bool centrodes_are_worth_a_picture(const InvolutePair& pair) {
-  if (pair.crossed()) return false;
+bool centrodes_are_worth_a_picture(const ParallelPair& pair) {
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
   const bool reason = sum != 0.0 || pair.gears[0].cut_by || pair.gears[1].cut_by;
   return reason && std::abs(shift_of(pair)) >= kMinShift * pair.gears[0].spec.normal_module;
 }
 
-std::string centrode_figures(const InvolutePair& pair, const FigureForm& form) {
+std::string centrode_figures(const ParallelPair& pair, const FigureForm& form) {
   if (!centrodes_are_worth_a_picture(pair)) return {};
   const double shift = shift_of(pair);
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;

@@ -17,7 +17,6 @@ TEST(CentrodePicture, OnlyWhereTheShiftIsSeen) {
   EXPECT_TRUE(centrodes_are_worth_a_picture(testing::helical_pair()));
   EXPECT_TRUE(centrodes_are_worth_a_picture(testing::pinion_in_cut_ring()));
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::undercut_pair()));
-  EXPECT_FALSE(centrodes_are_worth_a_picture(testing::crossed_pair()));
   // The first pair has no profile shifts and a larger centre distance. The second pair has profile
   // shifts that add up to zero, so its centre distance is the reference one.
   const ParallelPair apart = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 60.5);

@@ -15,8 +15,6 @@
 //   f, f′     face widths required by one flank, and by both flanks about the common
 //             perpendicular, mm
 //   s_i       axial position on gear i, from the middle of its face, mm
-//
-// Domain    crossed axes (contract), for all functions below
 #pragma once
 
 #include <array>
@@ -34,17 +32,17 @@ namespace gearwright {
 Vec2 in_plan(const Point<Housing>& p);
 
 /// Returns the corners in plan of the cylinder of gear `which` (0, 1) with `radius` and face width.
-std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
+std::array<Vec2, 4> face_in_plan(const CrossedPair& pair, std::size_t which, double radius);
 
 /// Draws the lines of action in plan, and both whole gears in plan.
-std::array<Figure, 2> plan_figures(const InvolutePair& pair);
+std::array<Figure, 2> plan_figures(const CrossedPair& pair);
 
-std::string plan_part(const InvolutePair& pair, const FigureForm& form = {});
+std::string plan_part(const CrossedPair& pair, const FigureForm& form = {});
 
 /// Returns the projection of a point of the housing onto the section, (h, x) in mm.
 ///
 /// Formula   h = −σ y cos β_1 + z sin β_1; σ = −1 if gear 2 is internal, else 1
-Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
+Vec2 in_section(const CrossedPair& pair, const Point<Housing>& p);
 
 struct SectionEllipse {
   Vec2 center;         ///< (h, x)  mm
@@ -57,9 +55,9 @@ struct SectionEllipse {
 ///
 /// Formula   centre (z_L tan β_1, 0), (−σ z_L tan β_2, a); half width r/cos β_i, half height r
 /// Domain    radius > 0 (contract)
-SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius);
+SectionEllipse section_of_cylinder(const CrossedPair& pair, std::size_t which, double radius);
 
-Figure section_figure(const InvolutePair& pair);
+Figure section_figure(const CrossedPair& pair);
 
 /// Draws the centre distance, the shaft angle and the contact ratio of the pair without backlash in
 /// three panels. They are functions of the pressure angle α_wn of the common rack. Marks show the

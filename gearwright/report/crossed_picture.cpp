@@ -31,19 +31,19 @@ struct PlanFrame {
   Vec2 at(double s, double t) const { return s * along + t * across; }
 };
 
-PlanFrame frame_of(const InvolutePair& pair, std::size_t which) {
+PlanFrame frame_of(const CrossedPair& pair, std::size_t which) {
   const double sigma = which == 0 ? 0.0 : pair.axis_angle().rad();
   return {{std::sin(sigma), std::cos(sigma)}, {std::cos(sigma), -std::sin(sigma)}};
 }
 
-void add_face(Figure& f, const InvolutePair& pair, std::size_t i, double radius,
+void add_face(Figure& f, const CrossedPair& pair, std::size_t i, double radius,
               const std::string& style) {
   const auto corners = face_in_plan(pair, i, radius);
   f.area({corners.begin(), corners.end()}, style + kInk[i]);
 }
 
 // Returns half the width and height of the area that contains the tips of both gears, mm.
-Vec2 extent(const InvolutePair& pair) {
+Vec2 extent(const CrossedPair& pair) {
   Vec2 half = Vec2::Zero();
   for (const std::size_t i : {0u, 1u}) {
     for (const Vec2& c : face_in_plan(pair, i, pair.gears[i].actual_tip_radius()))
@@ -53,7 +53,7 @@ Vec2 extent(const InvolutePair& pair) {
 }
 
 // Returns half the width and height of the area that contains the lines of action, mm.
-Vec2 lines_extent(const InvolutePair& pair) {
+Vec2 lines_extent(const CrossedPair& pair) {
   Vec2 half = Vec2::Zero();
   for (const double rho1 : line_ends(pair))
     half = half.cwiseMax(in_plan(pair.on_line_of_action(rho1)).cwiseAbs());
@@ -70,14 +70,14 @@ Vec2 window(const Vec2& half, double aspect) {
 
 // Returns half the width and height of the plan, mm. It contains the lines of action with their
 // letters, and a sufficient part of the gears.
-Vec2 plan_window(const InvolutePair& pair) {
+Vec2 plan_window(const CrossedPair& pair) {
   const Vec2 whole = window(extent(pair), kPlanAspect);
   const Vec2 close = 1.25 * window(lines_extent(pair).cwiseMax(1e-3 * extent(pair)), kPlanAspect);
   return whole / std::clamp(whole.x() / close.x(), 1.0 / kMaxReduction, kMaxEnlargement);
 }
 
 // Draws both axes beyond the borders of the picture. The names of the axes are at the border.
-void add_axes(Figure& f, const InvolutePair& pair, double width) {
+void add_axes(Figure& f, const CrossedPair& pair, double width) {
   const Vec2 half(f.x.hi, f.y.hi);
   const double px = 2 * half.x() / width;  // mm per px
   const double far = 1.1 * extent(pair).norm() + 2 * half.norm();
@@ -95,7 +95,7 @@ void add_axes(Figure& f, const InvolutePair& pair, double width) {
   }
 }
 
-Figure plan_figure(const InvolutePair& pair) {
+Figure plan_figure(const CrossedPair& pair) {
   const Vec2 half = plan_window(pair);
   Figure f = plane_figure(
       "plan", "Lines of action",
@@ -122,7 +122,7 @@ Figure plan_figure(const InvolutePair& pair) {
 }
 
 // Draws the tooth lines on the side x > 0 of the pitch cylinder, which is visible from gear 2.
-void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
+void add_teeth(Figure& figure, const CrossedPair& pair, std::size_t i) {
   const auto& side = pair.mesh.rack.sides[i];
   const int z = std::abs(pair.input.gears[i].teeth);
   if (z > kTeethShown) return;
@@ -158,17 +158,17 @@ void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   }
 }
 
-Vec2 whole_window(const InvolutePair& pair) {
+Vec2 whole_window(const CrossedPair& pair) {
   const Vec2 half = extent(pair);
   return window(half, std::clamp(half.x() / half.y(), 1.05, 2.6));
 }
 
 // True if the plan shows a smaller area than the picture of the whole pair.
-bool plan_is_within(const InvolutePair& pair) {
+bool plan_is_within(const CrossedPair& pair) {
   return (plan_window(pair).array() < 0.98 * whole_window(pair).array()).all();
 }
 
-Figure whole_figure(const InvolutePair& pair) {
+Figure whole_figure(const CrossedPair& pair) {
   const Vec2 half = whole_window(pair);
   // Gear 2 is in front. If gear 2 is internal, gear 1 is in front, because gear 2 would hide it.
   const std::size_t front = pair.side() > 0.0 ? 1 : 0;
@@ -194,18 +194,18 @@ Figure whole_figure(const InvolutePair& pair) {
 
 Vec2 in_plan(const Point<Housing>& p) { return {p.r.y(), p.r.z()}; }
 
-std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius) {
-  GW_EXPECTS(pair.crossed() && which < 2);
+std::array<Vec2, 4> face_in_plan(const CrossedPair& pair, std::size_t which, double radius) {
+  GW_EXPECTS(which < 2);
   const PlanFrame f = frame_of(pair, which);
   const double half = pair.input.face_width[which] / 2;
   return {f.at(-half, -radius), f.at(-half, radius), f.at(half, radius), f.at(half, -radius)};
 }
 
-std::array<Figure, 2> plan_figures(const InvolutePair& pair) {
+std::array<Figure, 2> plan_figures(const CrossedPair& pair) {
   return {plan_figure(pair), whole_figure(pair)};
 }
 
-std::string plan_part(const InvolutePair& pair, const FigureForm& form) {
+std::string plan_part(const CrossedPair& pair, const FigureForm& form) {
   const auto [plan, whole] = plan_figures(pair);
   const std::string first = form.html(plan, kWideFigure), second = form.html(whole, kNarrowFigure);
   return first.empty() ? side_by_side(second)

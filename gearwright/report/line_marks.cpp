@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/report/html_text.hpp"
 
@@ -22,7 +21,7 @@ constexpr double kLetterHeight = 0.054;
 constexpr double kTouchingLines = 0.003;  // share of the width; nearer lines count as touching
 constexpr double kFar = 3.2;  // path lengths; line_ends() omits points farther from the path
 
-std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
+std::vector<PathMark> marks_of(const CrossedPair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
   const char* end = leading ? "mark action-dot" : "mark trailing-dot";
   std::vector<PathMark> marks{
@@ -78,8 +77,7 @@ void add_letters(Figure& f, const std::vector<LetterAt>& letters) {
   }
 }
 
-std::vector<double> line_ends(const InvolutePair& pair) {
-  GW_EXPECTS(pair.crossed());
+std::vector<double> line_ends(const CrossedPair& pair) {
   const Mesh<double>& m = pair.mesh;
   std::vector<double> ends{m.rho1_A, m.rho1_E};
   for (const double rho1 : {0.0, m.sigma * m.base_tangent_distance, m.rho1_C}) {
@@ -89,7 +87,7 @@ std::vector<double> line_ends(const InvolutePair& pair) {
   return ends;
 }
 
-void add_lines_of_action(Figure& f, const InvolutePair& pair,
+void add_lines_of_action(Figure& f, const CrossedPair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on, Lines lines) {
   const Mesh<double>& m = pair.mesh;
   const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.sigma * m.base_tangent_distance,

@@ -38,14 +38,14 @@ void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
 
 /// Returns ρ_1 of the points that a picture should contain: A, E, C and the base tangent points. C
 /// and the base tangent points are omitted if they are far from A and E.
-std::vector<double> line_ends(const InvolutePair& pair);
+std::vector<double> line_ends(const CrossedPair& pair);
 
 enum class Lines { leading, both };
 
 /// Draws the lines of action in a figure of a plane. `on` maps points of the housing to the
 /// plane. Each letter is on the side of its line that faces away from the other line, or at
 /// another position if it would overlap another label there.
-void add_lines_of_action(Figure& figure, const InvolutePair& pair,
+void add_lines_of_action(Figure& figure, const CrossedPair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);
 

@@ -41,15 +41,14 @@ Figure path_figure(const InvolutePair& pair);
 /// Draws transverse, overlap and total contact ratio as bars.
 Figure ratio_figure(const InvolutePair& pair);
 
-/// True if a picture of the centrodes is useful. The axes must be parallel, and the centre
-/// distance must differ from the reference centre distance by at least 0.02 m_n because of
-/// profile shifts or a pinion cutter.
-bool centrodes_are_worth_a_picture(const InvolutePair& pair);
+/// True if a picture of the centrodes is useful. The centre distance must differ from the reference
+/// centre distance by at least 0.02 m_n because of profile shifts or a pinion cutter.
+bool centrodes_are_worth_a_picture(const ParallelPair& pair);
 
 /// Draws two figures. The first shows the reference circles at the reference centre distance, and
 /// the second shows the working pitch circles at the centre distance of the pair. The result is
 /// empty if centrodes_are_worth_a_picture() is false.
-std::string centrode_figures(const InvolutePair& pair, const FigureForm& form = {});
+std::string centrode_figures(const ParallelPair& pair, const FigureForm& form = {});
 
 /// Draws circular-arc gears in the transverse section through contact point `which` of the pair.
 /// `shapes` are as in mesh_figures().

@@ -20,7 +20,7 @@ constexpr double kPlot = 480.0;                // px, width of the plot without 
 constexpr double kLow = 220.0, kHigh = 460.0;  // px, limits of the height of the plot
 constexpr int kEllipseSteps = 500;             // number of points on a quarter of an ellipse
 
-Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
+Bounds box_of_lines(const CrossedPair& pair, Lines lines) {
   Bounds box;
   for (const double rho1 : line_ends(pair)) {
     box.cover(in_section(pair, pair.on_line_of_action(rho1)));
@@ -31,12 +31,12 @@ Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
 
 // If the axes are nearly parallel, the lines of action are far apart along the teeth. The trailing
 // line is omitted if it would make the picture much smaller.
-Lines lines_shown(const InvolutePair& pair) {
+Lines lines_shown(const CrossedPair& pair) {
   const double one = box_of_lines(pair, Lines::leading).size().x();
   return box_of_lines(pair, Lines::both).size().x() > 3 * one ? Lines::leading : Lines::both;
 }
 
-Bounds window(const InvolutePair& pair) {
+Bounds window(const CrossedPair& pair) {
   Bounds box = box_of_lines(pair, lines_shown(pair));
   const Vec2 middle = (box.lo + box.hi) / 2;
   box.cover({middle.x(), pair.side() * pair.mesh.rack.sides[0].pitch_radius});
@@ -58,7 +58,7 @@ bool inside(const Figure& f, const Vec2& p) {
 // Draws the part of a cylinder's ellipse that is within the plot. The ellipse is followed from the
 // mesh to the side `side` (+1 to the right). The name of the cylinder is at the point at which the
 // ellipse first leaves the plot.
-void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
+void add_cylinder(Figure& f, const CrossedPair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);
   // The mesh is at the top of gear 1 and at the bottom of gear 2. If gear 2 is internal, the
@@ -90,7 +90,7 @@ void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const Name
                          side > 0 ? Anchor::start : Anchor::end});
 }
 
-Figure section_of(const InvolutePair& pair) {
+Figure section_of(const CrossedPair& pair) {
   Figure f = plane_figure(
       "section", "Section normal to the teeth",
       fmt::format("Sections of the tip, pitch and base cylinders of both gears in the plane of the "
@@ -117,20 +117,20 @@ Figure section_of(const InvolutePair& pair) {
 
 }  // namespace
 
-Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p) {
+Vec2 in_section(const CrossedPair& pair, const Point<Housing>& p) {
   const auto& side = pair.mesh.rack.sides[0];
   const double sin_helix = side.cos_helix * side.tan_helix;
   return {sin_helix * p.r.z() - pair.side() * side.cos_helix * p.r.y(), p.r.x()};
 }
 
-SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius) {
-  GW_EXPECTS(pair.crossed() && which < 2 && radius > 0.0);
+SectionEllipse section_of_cylinder(const CrossedPair& pair, std::size_t which, double radius) {
+  GW_EXPECTS(which < 2 && radius > 0.0);
   const auto& side = pair.mesh.rack.sides[which];
   const double aside = (which == 0 ? 1.0 : -pair.side()) * pair.mesh.line_offset * side.tan_helix;
   return {{aside, which == 0 ? 0.0 : pair.center_distance}, radius / side.cos_helix, radius};
 }
 
-Figure section_figure(const InvolutePair& pair) {
+Figure section_figure(const CrossedPair& pair) {
   const Mesh<double>& m = pair.mesh;
   Figure f = section_of(pair);
   f.caption = fmt::format(

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "tests/property/contact_pairs.hpp"
 
@@ -100,14 +103,24 @@ TEST(ContactSlopes, sensitivities_to_errors) {
     EXPECT_GT(seen[k], 2) << to_string(k);
 }
 
+std::vector<const Gear*> gears(const ContactSet& set) { return {&set.gears[0], &set.gears[1]}; }
+std::vector<const Gear*> gears(const RackSet& set) { return {&set.rack.pinion}; }
+
+void modify(ContactSet& set, std::size_t gear, std::shared_ptr<const RemovalField> removal) {
+  set.removal[gear] = std::move(removal);
+}
+void modify(RackSet& set, std::size_t, std::shared_ptr<const RemovalField> removal) {
+  set.removal = std::move(removal);
+}
+
 // The exact derivatives with respect to the amount of every modification equal central differences.
 TEST(ContactSlopes, sensitivities_to_modifications) {
   int compared = 0;
-  over_pairs(43, 16, {}, [&compared](const ModifiedPair& p, Random& random) {
-    for (int g : {0, 1}) {
+  over_sets(43, {16, 8, 8}, {}, [&compared](const auto& given, Random& random) {
+    for (std::size_t g = 0; g < gears(given).size(); ++g) {
       FlankModifications f;
-      const FlankExtent e = extent_of(p.set.gears[g]);
-      const double m = p.set.gears[g].spec.normal_module;
+      const FlankExtent e = extent_of(*gears(given)[g]);
+      const double m = gears(given)[g]->spec.normal_module;
       f.tip_relief = {2e-3 * m,
                       e.rho_root_form + 1.3 * (e.rho_tip_form - e.rho_root_form) + e.rho_root_form,
                       ReliefShape::parabolic};
@@ -117,17 +130,17 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
       f.profile_crowning = 2e-3 * m, f.profile_slope = 1e-3 * m;
       f.lead_crowning = 2e-3 * m, f.lead_slope = -1e-3 * m;
       f.end_relief = {3e-3 * m, 0.2 * e.face_width, ReliefShape::parabolic};
-      ContactSet set = p.set;
+      auto set = given;
       const auto with = [&](const FlankModifications& n) {
         auto field = make_removal_field(n, e);
         EXPECT_TRUE(field);
-        set.removal[g] = std::make_shared<RemovalField>(std::move(field).take());
+        modify(set, g, std::make_shared<RemovalField>(std::move(field).take()));
         return set.pair();
       };
       ContactRequest request;
       request.rotations = {Angle::radians(random.uniform(-0.1, 0.1))};
       for (const ModificationMember& q : kModifications)
-        request.influences.push_back({ErrorKind::center_distance, g + 1, q.kind});
+        request.influences.push_back({ErrorKind::center_distance, static_cast<int>(g) + 1, q.kind});
       const auto r = analyse_contact(with(f), request);
       const ContactPoint& here = r.positions[0];
       if (here.kind == TouchKind::none || here.kind == TouchKind::line) continue;
@@ -149,7 +162,7 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
       }
     }
   });
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(compared, 300);
 }
 
 // The contact point of crowned pairs moves within the flanks, and the contact point of an edge
