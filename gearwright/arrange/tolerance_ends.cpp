@@ -361,7 +361,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
       gear.thickness_allowance = value;
     }
   }
-  return arrange(given, nominal.pair ? Scope::pair : Scope::gears);
+  return arrange(given, nominal.mounted() ? Scope::pair : Scope::gears);
 }
 
 std::vector<Arranged> arranged_corners(const Arranged& nominal) {
