@@ -167,7 +167,7 @@ void set_face(GearInput& gear, double value) {
 }
 
 bool change_gear(GivenPair& given, const SpecChange& change) {
-  GearInput& gear = *given.gears[static_cast<std::size_t>(change.gear - 1)];
+  GearInput& gear = given.gear(change.gear);
   const bool has_rack = !gear.basic && !gear.cut_by;
   switch (change.what) {
     case Adjustable::profile_shift: gear.profile_shift = change.value; return has_rack;
