@@ -35,7 +35,8 @@
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
-// Incomplete drawings: arrange() completes the missing numbers, and judge() returns a verdict.
+// Incomplete drawings of gears or of a pinion and a rack: arrange() completes the missing numbers,
+// and judge() returns a verdict. as_rack() describes a gear by another rack.
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/arrange/judge.hpp"
 

@@ -74,7 +74,7 @@ int answering_verb(const Verb& verb, const Options& o, const SpecText* text) {
 }
 
 int gear_as_rack(const Options& o) {
-  const auto question = parse_rack_question(*o.as_rack);
+  const auto question = parse_wanted_rack(*o.as_rack);
   if (!question) {
     return usage(
         "--as-rack takes MODULE,ANGLE, a module in mm and an angle from 1 to 60 degrees, for "

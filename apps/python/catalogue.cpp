@@ -59,6 +59,12 @@ void bind_catalogue(py::module_& m) {
       all[py::str(std::string(table->name))] = keys_of(*table);
     return all;
   });
+  m.def("_units", [] {
+    py::dict sizes;
+    for (const HouseUnit& house : kHouseUnits)
+      sizes[py::str(std::string(unit_suffix(house.unit)))] = house.size;
+    return sizes;
+  });
 }
 
 }  // namespace gearwright::python

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/base/units.hpp"
+#include <algorithm>
+
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -10,14 +11,6 @@
 namespace gearwright::python {
 
 namespace {
-
-// Units that a key may name, with the number of units in one mm or rad.
-struct NamedUnit {
-  std::string_view suffix;
-  double per_house;
-};
-constexpr NamedUnit kNamed[] = {
-    {"_mm", 1.0}, {"_deg", kDegPerRad}, {"_um", kUmPerMm}, {"_arcsec", kArcsecPerRad}};
 
 void scale(Json& value, double factor) {
   if (factor == 1.0) return;
@@ -59,9 +52,9 @@ std::vector<const KeyTable*> tables_under(const std::vector<const KeyTable*>& ta
   return under;
 }
 
-const NamedUnit* unit_of(std::string_view key) {
-  for (const NamedUnit& unit : kNamed)
-    if (key.ends_with(unit.suffix)) return &unit;
+const HouseUnit* unit_of(std::string_view key) {
+  for (const HouseUnit& house : kHouseUnits)
+    if (key.ends_with(unit_suffix(house.unit))) return &house;
   return nullptr;
 }
 
@@ -70,13 +63,14 @@ const NamedUnit* unit_of(std::string_view key) {
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path) {
   Json made = Json::object();
   for (auto& [name, value] : tree.items()) {
-    const NamedUnit* unit = find(tables, name) ? std::end(kNamed) : std::begin(kNamed);
-    while (unit != std::end(kNamed) && !find(tables, name + std::string(unit->suffix))) ++unit;
+    const auto house = std::find_if(
+        kHouseUnits.begin(), kHouseUnits.end(),
+        [&](const HouseUnit& h) { return find(tables, name + std::string(unit_suffix(h.unit))); });
     std::string key = name;
-    if (unit != std::end(kNamed)) {
-      key += unit->suffix;
+    if (!find(tables, name) && house != kHouseUnits.end()) {
+      key += unit_suffix(house->unit);
       const Json given = value;
-      scale(value, unit->per_house);
+      scale(value, house->per_house);
       check_unit(*find(tables, key), path.empty() ? name : path + "." + name, given, value);
     }
     const std::string here = path.empty() ? key : path + "." + key;
@@ -93,13 +87,14 @@ Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std:
 }
 
 std::string house_key(const Key& key) {
-  const NamedUnit* const unit = unit_of(key.key);
-  return std::string(key.key.substr(0, key.key.size() - (unit ? unit->suffix.size() : 0)));
+  const HouseUnit* const house = unit_of(key.key);
+  const std::size_t suffix = house ? unit_suffix(house->unit).size() : 0;
+  return std::string(key.key.substr(0, key.key.size() - suffix));
 }
 
 double units_per_house(const Key& key) {
-  const NamedUnit* const unit = unit_of(key.key);
-  return unit ? unit->per_house : 1.0;
+  const HouseUnit* const house = unit_of(key.key);
+  return house ? house->per_house : 1.0;
 }
 
 Json spec_with_keys(Json tree) {

@@ -74,7 +74,7 @@ struct GearValue {
   int which = 1;
 
   std::vector<int> gears() const { return {which}; }
-  const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
+  const Gear& gear() const { return model->job.gear(which); }
   /// Returns the halves of a double-helical gear. gear() returns one of these halves.
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];

@@ -89,7 +89,7 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   if (s.gear == 0) {
     s.key->place.put(spec.pair, value);
   } else {
-    s.key->place.put(*spec.gears[static_cast<std::size_t>(s.gear - 1)], value);
+    s.key->place.put(spec.gear(s.gear), value);
   }
   return std::nullopt;
 }

@@ -100,12 +100,9 @@ std::string name_of(const QuantityInfo& info) {
 }
 
 double house_unit(Unit unit) {
-  switch (unit) {
-    case Unit::um: return kMmPerUm;
-    case Unit::deg: return kRadPerDeg;
-    case Unit::arcsec: return kRadPerArcsec;
-    default: return 1.0;
-  }
+  for (const HouseUnit& house : kHouseUnits)
+    if (house.unit == unit) return house.size;
+  return 1.0;
 }
 
 namespace {

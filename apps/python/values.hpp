@@ -6,18 +6,30 @@
 
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/result.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright::python {
 
 namespace py = pybind11;
+
+/// A unit of lengths or angles that keys name.
+struct HouseUnit {
+  Unit unit;
+  double size;       ///< in mm or rad
+  double per_house;  ///< number of units in one mm or rad; 1/size may differ in the last bit
+};
+inline constexpr std::array kHouseUnits{
+    HouseUnit{Unit::mm, 1.0, 1.0}, HouseUnit{Unit::deg, kRadPerDeg, kDegPerRad},
+    HouseUnit{Unit::um, kMmPerUm, kUmPerMm}, HouseUnit{Unit::arcsec, kRadPerArcsec, kArcsecPerRad}};
 
 /// Returns the name of the attribute for a key. If the key has a unit that is converted to mm or
 /// rad, the name is the key without its unit, for example "tip_diameter" for tip_diameter_mm and

@@ -193,7 +193,39 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
   return arranged;
 }
 
+namespace {
+
+// Makes the pinion and mounts it with the rack. `given` contains the thicknesses of their teeth.
+Result<Arranged> mount_on_rack(const GivenPair& given) {
+  auto made = arrange(given, Scope::gears);
+  if (!made) return made;
+  Arranged arranged = std::move(made).take();
+  auto pair = mount_rack(arranged.gear(1), *given.rack, given.pair.center_distance,
+                         given.pair.speed_rpm, given.pair.friction_coefficient);
+  if (!pair) return pair.error();
+  arranged.warnings.insert(arranged.warnings.end(), pair->warnings.begin(), pair->warnings.end());
+  arranged.rack = std::move(pair).take();
+  return arranged;
+}
+
+Result<Arranged> arrange_rack(const GivenPair& given) {
+  auto nominal = mount_on_rack(given);
+  if (!nominal || !given.pair.wants_backlash()) return nominal;
+  GivenPair thinned = given;
+  const double thinning = thin_rack_for_backlash(thinned, *nominal->rack);
+  auto made = mount_on_rack(thinned);
+  if (!made) return of_backlash(made.error(), thinned);
+  Arranged arranged = std::move(made).take();
+  arranged.given = std::make_shared<const GivenPair>(given);
+  if (auto warning = thickened_warning(given.pair, thinning))
+    arranged.warnings.push_back(*std::move(warning));
+  return arranged;
+}
+
+}  // namespace
+
 Result<Arranged> arrange(const GivenPair& given, Scope scope) {
+  if (given.rack && scope != Scope::gears) return arrange_rack(given);
   auto allowed = with_allowances(given);
   if (!allowed) return allowed.error();
   auto nominal = arrange_nominal(*allowed, scope);

@@ -3,7 +3,7 @@
 //
 // Profile shifts and centre distance determine each other. A cutter determines the module and the
 // angles of the gear that it cuts. A required backlash determines the tooth thickness. If no face
-// width is given, it is 10 m_n, and there is a warning.
+// width is given, it is 10 m_n, and there is a warning. Gear 2 may be a rack.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 
 #include "gearwright/arrange/given_pair.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -21,8 +22,9 @@ struct ArrangedEnds;
 /// the gears of this pair.
 struct Arranged {
   GivenPair completed;              ///< the input with computed shifts, thickness and tips
-  std::vector<Gear> gears{};        ///< one or two
+  std::vector<Gear> gears{};        ///< one or two; only the pinion if gear 2 is a rack
   std::optional<Pair> pair{};       ///< none for a single gear, or if no pair was requested
+  std::optional<RackPair> rack{};   ///< the pinion with its rack, if gear 2 is a rack
   std::vector<Warning> warnings{};  ///< warnings about the gears and the pair
   std::shared_ptr<const ArrangedEnds> ends{};  ///< results at the ends of the tolerances
   std::shared_ptr<const GivenPair> given{};    ///< the unchanged input
@@ -32,6 +34,9 @@ struct Arranged {
     GW_EXPECTS(which >= 1 && which <= static_cast<int>(gears.size()));
     return gears[static_cast<std::size_t>(which - 1)];
   }
+  /// True if gear 1 is mounted with another gear or with a rack.
+  bool mounted() const { return pair || rack; }
+  int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
 /// Gears and pair at both ends of their tolerances, that is, with every toleranced number at a
@@ -45,15 +50,16 @@ struct ArrangedEnds {
 enum class Scope {
   gears,       ///< each gear separately; the pair is used only to compute absent values, such as a
                ///< profile shift
-  pair,        ///< the pair; gear 2 must exist
-  everything,  ///< all gears, and the pair if there are two gears
+  pair,        ///< the pair; gear 2 or a rack must exist
+  everything,  ///< all gears, and the pair if there are two gears or a rack
 };
 
 /// Computes the absent data, then makes the gears and, if `scope` includes the pair, mounts them.
 ///
 /// Domain    gear 1 is given (contract)
 /// Errors    the field of the error is the invalid member of the input: "gear2.profile_shift",
-///           "pair.center_distance"
+///           "pair.center_distance"; for a rack the errors of mount_rack(), and the member of
+///           `pair` with the backlash if the pinion or the rack cannot have it
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);
 
 }  // namespace gearwright

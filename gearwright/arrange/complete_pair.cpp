@@ -237,12 +237,14 @@ Wanted wanted_of(const PairInput& p) {
   return {field, p.backlash_angle->deg(), "°"};
 }
 
-// Splits the total thinning, mm in the normal section, between the two gears.
+// Splits the total thinning, mm in the normal section, between the two gears, or between the pinion
+// and its rack.
 void thin(GivenPair& given, double thinning) {
   const double share = given.pair.backlash_split;
-  const std::array<double, 2> shares{share, 1.0 - share};
-  for (std::size_t i = 0; i < 2; ++i)
-    given.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
+  const auto allowance = [&](double of) { return thinning == 0.0 ? 0.0 : -of * thinning; };
+  given.gear(1).cylindrical.thickness_allowance = allowance(share);
+  (given.rack ? given.rack->thickness_allowance : given.gear(2).cylindrical.thickness_allowance) =
+      allowance(1.0 - share);
 }
 
 // Returns the backlash of the pair if its teeth are thinned by `thinning` mm in total. The fillets
@@ -331,15 +333,40 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   if (!made || std::abs(*made - wanted.value) > kSame * std::max(1.0, wanted.value))
     return refused(wanted.field, wanted.value,
                    "no tooth thickness of these gears gives this backlash");
-  if (now < -kSame) {
-    warnings.push_back(
-        {WarningCode::thickened_for_backlash,
-         fmt::format("The centre distance leaves more backlash than `{}` = {}. The teeth are "
-                     "therefore made thicker than their profile shifts require, by {} mm in total.",
-                     wanted.field, format_number(wanted.value), format_number(-now)),
-         0});
-  }
+  if (auto warning = thickened_warning(given.pair, now)) warnings.push_back(*std::move(warning));
   return std::nullopt;
+}
+
+double thin_rack_for_backlash(GivenPair& given, const RackPair& nominal) {
+  GW_EXPECTS(given.pair.wants_backlash() && given.rack);
+  const PairInput& p = given.pair;
+  const double along = p.backlash_angle
+                           ? p.backlash_angle->rad() * nominal.pinion.reference_diameter / 2
+                           : p.backlash_circumferential.value_or(0.0);
+  const double normal = p.backlash ? *p.backlash : along * std::cos(nominal.rack.helix_angle.rad());
+  const double thinning = normal - nominal.normal_backlash();
+  thin(given, thinning);
+  return thinning;
+}
+
+Error of_backlash(const Error& error, const GivenPair& given) {
+  const Wanted wanted = wanted_of(given.pair);
+  return following_from(wanted.field, format_number(wanted.value),
+                        fmt::format("it requires thickness allowances of {} mm and {} mm, but",
+                                    format_number(given.gear(1).cylindrical.thickness_allowance),
+                                    format_number(given.rack->thickness_allowance)),
+                        error);
+}
+
+std::optional<Warning> thickened_warning(const PairInput& pair, double thinning) {
+  if (!(thinning < -kSame)) return std::nullopt;
+  const Wanted wanted = wanted_of(pair);
+  return Warning{WarningCode::thickened_for_backlash,
+                 fmt::format("The centre distance leaves more backlash than `{}` = {}. The teeth "
+                             "are therefore made thicker than their profile shifts require, by {} "
+                             "mm in total.",
+                             wanted.field, format_number(wanted.value), format_number(-thinning)),
+                 0};
 }
 
 }  // namespace gearwright

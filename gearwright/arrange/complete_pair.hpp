@@ -37,4 +37,18 @@ const char* backlash_field(const PairInput& pair);
 std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings);
 
+/// Sets the thickness allowances of the pinion and of the rack so that they have the requested
+/// backlash, and returns the total thinning, mm. `nominal` has the teeth without thinning.
+///
+/// Formula   the backlash is a linear function of the allowances, [T2.36], [T2.37]
+/// Domain    given.pair.wants_backlash() and given.rack (contract)
+double thin_rack_for_backlash(GivenPair& given, const RackPair& nominal);
+
+/// Returns the error of a pinion or rack that cannot be made with the allowances of
+/// thin_rack_for_backlash(). It names the requested backlash.
+Error of_backlash(const Error& error, const GivenPair& given);
+
+/// Returns a warning if the thinning is negative, so that the teeth are thicker than as cut.
+std::optional<Warning> thickened_warning(const PairInput& pair, double thinning);
+
 }  // namespace gearwright

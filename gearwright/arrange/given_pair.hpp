@@ -16,6 +16,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
 #include "gearwright/inspection/flank_tolerances.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 #include "gearwright/pair/shift.hpp"
 #include "gearwright/rating/factor.hpp"
 #include "gearwright/rating/material.hpp"
@@ -172,6 +173,7 @@ struct PairInput {
 
 struct GivenPair {
   std::array<std::optional<GearInput>, 2> gears;  ///< a single gear is gears[0]
+  std::optional<RackBar> rack;  ///< set if gear 2 is a rack; `gears` then contains only the pinion
   PairInput pair;
   bool shaft_angle_found = false;  ///< true if the shaft angle is computed from the centre distance
   std::vector<Warning> notes;      ///< about the input; arrange() adds them to the warnings

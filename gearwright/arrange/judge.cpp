@@ -14,6 +14,7 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   Judged judged;
   for (const Gear& gear : arranged.gears) judged.gears.push_back(&gear);
   judged.pair = arranged.pair ? &*arranged.pair : nullptr;
+  judged.rack = arranged.rack ? &*arranged.rack : nullptr;
   judged.warnings = &arranged.warnings;
   judged.contact = with.contact;
   judged.errors = with.errors;
@@ -166,7 +167,7 @@ void set_face(GearInput& gear, double value) {
 }
 
 bool change_gear(GivenPair& given, const SpecChange& change) {
-  GearInput& gear = *given.gears[static_cast<std::size_t>(change.gear - 1)];
+  GearInput& gear = given.gear(change.gear);
   const bool has_rack = !gear.basic && !gear.cut_by;
   switch (change.what) {
     case Adjustable::profile_shift: gear.profile_shift = change.value; return has_rack;
@@ -215,7 +216,7 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
                                   const SpecChange& change, TryDepth depth) {
   GivenPair given = *arranged.given;
   if (!make_change(given, change)) return std::nullopt;
-  auto made = arrange(given, arranged.pair ? Scope::pair : Scope::gears);
+  auto made = arrange(given, arranged.mounted() ? Scope::pair : Scope::gears);
   if (!made) return std::nullopt;
   Arranged changed = std::move(made).take();
   JudgedWith of_changed{.errors = with.errors};
@@ -232,6 +233,9 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   if (changed.pair) {
     state.contact_ratio = changed.pair->contact_ratio_true();
     state.backlash = changed.pair->stated_backlash().normal;
+  } else if (changed.rack) {
+    state.contact_ratio = changed.rack->true_contact_ratio();
+    state.backlash = changed.rack->normal_backlash();
   }
   return state;
 }

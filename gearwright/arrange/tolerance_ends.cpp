@@ -354,7 +354,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
       continue;
     }
     if (!corner[k]) continue;
-    CylindricalSpec& gear = given.gears[static_cast<std::size_t>(tolerance.gear - 1)]->cylindrical;
+    CylindricalSpec& gear = given.gear(tolerance.gear).cylindrical;
     const double value = tolerance.ends[*corner[k]];
     if (tolerance.of == TolerancedNumber::Of::tip) {
       gear.tip_diameter = value;
@@ -362,7 +362,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
       gear.thickness_allowance = value;
     }
   }
-  return arrange(given, nominal.pair ? Scope::pair : Scope::gears);
+  return arrange(given, nominal.mounted() ? Scope::pair : Scope::gears);
 }
 
 std::vector<Arranged> arranged_corners(const Arranged& nominal) {

@@ -45,7 +45,7 @@ std::optional<Error> halve(GivenPair& given) {
       return error;
   }
   for (const int which : {1, 2}) {
-    auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
+    GearInput* const gear = given.find(which);
     if (!gear || !gear->double_helical) continue;
     const double gap = gear->double_helical->gap, whole = gear->cylindrical.face_width;
     gear->cylindrical.face_width = (whole - gap) / 2;

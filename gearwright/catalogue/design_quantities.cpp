@@ -234,10 +234,10 @@ void add_strength(Quantities<DesignView>& q) {
   const auto wide = [](const DesignView& v) {
     return v.problem->weighs() || v.problem->has_face_band() || !v.problem->choices.empty();
   };
-  q.number("face_width_mm", "face width", "b",
-           "common width of both gears; only if the search computes safety factors or masses, has "
-           "a band of face widths, or requires whole overlap ratios",
-           [wide](const DesignView& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
+  q.term("face_width_mm",
+         "common width of both gears; only if the search computes safety factors or masses, has a "
+         "band of face widths, or requires whole overlap ratios",
+         [wide](const DesignView& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
       .when(wide)
       .digits(kFewDigits);

@@ -102,7 +102,7 @@ namespace {
 const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
   using C = LoadedDrive::Curve;
   return define("drive.load.curve", [](Quantities<C>& q) {
-    q.number("frequency_ratio", "teeth per turn of the input", "", "", &C::frequency_ratio);
+    q.term("frequency_ratio", "", &C::frequency_ratio);
     const auto seconds = [](const std::vector<double>& radians) {
       ValueList list;
       for (const double r : radians) list.emplace_back(Angle::radians(r).arcsec());

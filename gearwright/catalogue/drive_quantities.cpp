@@ -314,8 +314,8 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
              const auto frame = v.drive->graph.frame(v.drive->graph.meshes[v.mesh]);
              return frame ? v.drive->graph.bodies[*frame].name : std::string("housing");
            });
-    q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
-             [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
+    q.term("frequency_ratio", "|z (n − n_c)| [T13.4]",
+           [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
     q.number(
          "phases", "phases of the planets", "γ",
          "phase, in periods, by which the mesh of each planet follows the mesh of the first "

@@ -63,8 +63,8 @@ void add_found(Quantities<F>& q) {
          [](const F& f) { return of_drive(f, "ratio_exact"); })
       .fraction()
       .doors(kJson);
-  q.number("efficiency", "efficiency", "η", "efficiency with the input driving",
-           [](const F& f) { return of_drive(f, "efficiency"); });
+  q.term("efficiency", "efficiency with the input driving",
+         [](const F& f) { return of_drive(f, "efficiency"); });
   q.term("efficiency_backward", "0 if the output cannot drive the input",
          [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
@@ -87,8 +87,8 @@ void add_found(Quantities<F>& q) {
            "d_f)/2; a ring extends from the mean diameter to the diameter d_f + 5 m_n; only with "
            "`objective` = `mass`",
            [](const F& f) { return f.candidate.mass; });
-  q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
-           [](const F& f) { return of_drive(f, "center_distance_mm"); });
+  q.term("center_distance_mm", "centre distance of the meshes of the set",
+         [](const F& f) { return of_drive(f, "center_distance_mm"); });
   q.number("stage_center_distances_mm", "centre distances of the stages", "a",
            "centre distance of each stage of a train; null for a set, or without geometry",
            [](const F& f) {
@@ -113,14 +113,13 @@ void add_found(Quantities<F>& q) {
   q.word("phasing", "class of phasing", "for the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
-  q.number("normal_module_mm", "normal module", "m_n",
-           "normal module of all meshes; null without geometry, or if the stages of a train have "
-           "different modules",
-           [](const F& f) {
-             return has_module(f) && f.candidate.has_one_module()
-                        ? Value(f.candidate.stage_module(0))
-                        : Value();
-           });
+  q.term("normal_module_mm",
+         "normal module of all meshes; null without geometry, or if the stages of a train have "
+         "different modules",
+         [](const F& f) {
+           return has_module(f) && f.candidate.has_one_module() ? Value(f.candidate.stage_module(0))
+                                                                : Value();
+         });
   q.number("stage_modules_mm", "normal modules of the stages", "m_n",
            "normal module of each stage of a train; null if all stages have the same module",
            [](const F& f) {
@@ -205,9 +204,9 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
         "`sliding`, `overlap`, `safety`, `verdict` (amber or red)",
         [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
       .doors(kJson);
-  q.number("face_load_factor", "face load factor", "K_Hβ",
-           "default of rated searches; only if `[rating]` has no `face_load_factor`",
-           [](const S& s) { return s.default_face_load; })
+  q.term("face_load_factor",
+         "default of rated searches; only if `[rating]` has no `face_load_factor`",
+         [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
   q.term("pareto",
          "positions of the Pareto-optimal designs in `designs`; only with several objectives",

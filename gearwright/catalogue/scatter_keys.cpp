@@ -69,6 +69,12 @@ std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
                                          kMaxScatterSamples, all)};
 }
 
+template <class V>
+KeyPlace plan(V ScatterPlan::*member) {
+  V ScatterInput::*const own = member;
+  return own;
+}
+
 KeyPlace gear(std::size_t i) {
   return KeyPlace::within<ScatterInput>([i](auto& s) -> auto& { return s.gears[i]; });
 }
@@ -90,28 +96,30 @@ const KeyTable& scatter_keys() {
       "Effect of tolerances on the pair; each range gives deviations, which are added to the "
       "nominal value in the spec. The tooth thickness and the centre distance vary within the "
       "tolerances of [gearN] and [pair], unless [scatter] gives a range",
-      {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &ScatterInput::samples,
-                   "1024", "number of samples of each replicate, a power of two"),
-       Key::number("replicates", "R", KeyRange::between(1, 1024), &ScatterInput::replicates, "8",
+      {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples),
+                   plan(&ScatterPlan::samples), "1024",
+                   "number of samples of each replicate, a power of two"),
+       Key::number("replicates", "R", KeyRange::between(1, 1024), plan(&ScatterPlan::replicates),
+                   "8",
                    "number of independent replicates, from which the error of every result is "
                    "estimated; samples times replicates must be at most 524 288"),
        Key::number("seed", "", KeyRange::between(0, kMaxWholeInput), &ScatterInput::seed, "1",
                    "seed of the random numbers; the same seed always gives the same samples"),
-       Key::word("sampling", {"sobol", "random"}, &ScatterInput::sampling, "\"sobol\"",
+       Key::word("sampling", {"sobol", "random"}, plan(&ScatterPlan::sampling), "\"sobol\"",
                  "kind of the sample points, which are scrambled Sobol points [T14.5] or plain "
                  "random numbers"),
-       Key::number("percentiles", "", KeyRange::inside(0, 100), &ScatterInput::percentiles,
+       Key::number("percentiles", "", KeyRange::inside(0, 100), plan(&ScatterPlan::percentiles),
                    "[5, 50, 95]", "percentiles that are computed for each quantity")
            .with_list(KeyList{.most = 100, .single = true}),
-       Key::number("confidence", "", KeyRange::inside(0, 1), &ScatterInput::confidence, "0.95",
+       Key::number("confidence", "", KeyRange::inside(0, 1), plan(&ScatterPlan::confidence), "0.95",
                    "confidence level of the intervals"),
-       Key::flag("indices", &ScatterInput::indices, "false",
+       Key::flag("indices", plan(&ScatterPlan::indices), "false",
                  "if true, first-order and total Sobol indices of each input are computed "
                  "[T14.10], which multiplies the computing time by (inputs + 2)"),
-       Key::flag("worst_case", &ScatterInput::worst_case, "false",
+       Key::flag("worst_case", plan(&ScatterPlan::worst_case), "false",
                  "if true, a search finds the greatest peak-to-peak transmission error and the "
                  "least play within all ranges [T14.15]"),
-       Key::flag("loosening", &ScatterInput::loosening, "false",
+       Key::flag("loosening", plan(&ScatterPlan::loosening), "false",
                  "if true, the result contains the tolerance that should be tightened first. For "
                  "each tolerance, the result also contains a factor; if the tolerance grows by "
                  "this factor, the greatest of `percentiles` of the peak-to-peak transmission "

@@ -40,17 +40,9 @@ struct ScatterRobust {
   std::optional<std::array<double, 2>> range;  ///< range of every correction, each in its own unit
 };
 
-struct ScatterInput {
+struct ScatterInput : ScatterPlan {
   bool given = false;
-  int samples = 1024;  ///< n, samples of each replicate
-  int replicates = 8;  ///< R, number of replicates
   int seed = 1;
-  Sampling sampling = Sampling::sobol;
-  std::vector<double> percentiles{5, 50, 95};
-  double confidence = 0.95;
-  bool indices = false;
-  bool worst_case = false;
-  bool loosening = false;
   bool pattern = false;                       ///< true if the density of patterns is also computed
   bool loaded = false;                        ///< true if contact under [load] is also computed
   std::optional<std::array<int, 2>> quality;  ///< accuracy grades A of gear 1 and gear 2; by

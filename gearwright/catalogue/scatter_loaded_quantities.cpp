@@ -23,8 +23,7 @@ const std::array<LoadedEntry, 3>& loaded_entries() {
 const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
   using V = LoadedSpreadView;
   return define("scatter.loaded", [](Quantities<V>& q) {
-    q.number("torque_Nm", "torque", "T_1", "on gear 1",
-             [](const V& v) { return newton_metres(v.loaded->torque); });
+    q.term("torque_Nm", "on gear 1", [](const V& v) { return newton_metres(v.loaded->torque); });
     for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
       const LoadedEntry& entry = loaded_entries()[i];
       q.record<spread_quantities>(

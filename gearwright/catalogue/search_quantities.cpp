@@ -112,11 +112,11 @@ void add_search(Quantities<SearchView>& q) {
   q.record<margin_quantities>(
        "margins", "limits that every design satisfies; clearances in modules", &S::problem)
       .always();
-  q.number("face_load_factor", "face load factor", "K_Hβ",
-           "default of rated searches; only if `[rating]` has neither `face_load_factor` nor "
-           "`[rating.mounting]`. After a design is taken, `[rating.mounting]`, `[gear1.shaft]` and "
-           "`[gear2.shaft]` can give the factor",
-           [](const S& s) { return s.default_face_load; })
+  q.term("face_load_factor",
+         "default of rated searches; only if `[rating]` has neither `face_load_factor` nor "
+         "`[rating.mounting]`. After a design is taken, `[rating.mounting]`, `[gear1.shaft]` and "
+         "`[gear2.shaft]` can give the factor",
+         [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
   q.number("helix_angle_deg", "default band of the helix angles", "β",
            "[least, greatest]; only with `overlap_ratio` and without `helix_angle_deg`",

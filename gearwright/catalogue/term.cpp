@@ -78,6 +78,7 @@ constexpr std::array kTerms{
     Term{"equal", "equal pitch", "", Type::flag},
     Term{"face_load_factor", "face load factor", "K_Hβ"},
     Term{"face_width_mm", "face width", "b"},
+    Term{"frequency_ratio", "teeth per turn of the input"},
     Term{"gap_curvature_per_mm", "curvatures of the gap", "k_1, k_2"},
     Term{"gear", "gear", "", Type::whole},
     Term{"gear1", "gear 1"},

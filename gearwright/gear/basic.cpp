@@ -2,13 +2,75 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/gear/reference.hpp"
 
 namespace gearwright {
+
+namespace {
+
+// Descriptions of a rack count as equal if they differ by at most one part in a million, because
+// users round the input.
+constexpr double kSameRack = 1e-6;
+// Greatest normal pressure angle of the rack in degrees, the same as for a gear.
+constexpr double kMaxRackAngle = 60.0;
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+}  // namespace
+
+Result<ReferenceInput<double>> as_rack(const Gear& gear, const WantedRack& rack) {
+  GW_EXPECTS(rack.normal_module || rack.normal_pressure_angle);
+  if (!gear.involute()) {
+    return Error{"rack", "",
+                 "only involute teeth can be described by a rack of another pressure angle"};
+  }
+  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
+  const double m_cos = normal_base_pitch(base) / std::numbers::pi;
+  double alpha = rack.normal_pressure_angle.value_or(Angle()).rad();
+  if (rack.normal_module) {
+    const double m = *rack.normal_module;
+    if (!(m > m_cos)) {
+      return Error{"normal_module", format_number(m, m_cos),
+                   fmt::format("no rack of this module describes the gear; the module must be "
+                               "greater than m_n cos α_n = {}\u00a0mm",
+                               format_number(m_cos, m))};
+    }
+    const double of_module = std::acos(m_cos / m);
+    const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
+    if (m > m_max) {
+      return Error{
+          "normal_module", format_number(m, m_max),
+          fmt::format("with this module and the base pitch of the gear, the pressure angle would "
+                      "be {}°, but at most {}° is allowed; the module must be at most {}\u00a0mm",
+                      format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
+                      format_number(m_max, m))};
+    }
+    if (!rack.normal_pressure_angle) {
+      alpha = of_module;
+    } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
+      return Error{
+          "rack", fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
+          fmt::format("the base pitch of this rack differs from the base pitch of the gear; for "
+                      "the pressure angle {:.9g}° the module must be {:.9g}\u00a0mm, or for the "
+                      "module {:.9g}\u00a0mm the pressure angle must be {:.9g}°",
+                      deg(alpha), m_cos / std::cos(alpha), m, deg(of_module))};
+    }
+  }
+  if (!has_rack(base, alpha)) {
+    const double limit = 90 - std::abs(deg(base.helix_angle));
+    return Error{"normal_pressure_angle", format_number(deg(alpha), limit),
+                 fmt::format("no rack of this pressure angle describes the gear; the pressure "
+                             "angle must be less than {}°, which is 90° minus the base helix angle",
+                             format_number(limit, deg(alpha)))};
+  }
+  return as_rack(base, alpha);
+}
 
 Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
                                        std::optional<double> root_form_diameter) {

@@ -94,6 +94,20 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return rack;
 }
 
+/// The rack that is to describe a gear. Either number determines the other.
+struct WantedRack {
+  std::optional<double> normal_module;         ///< m_n  mm
+  std::optional<Angle> normal_pressure_angle;  ///< α_n  1° to 60°
+};
+
+/// Describes the gear, with its teeth as cut, by another rack.
+///
+/// Domain    at least one number of the rack (contract)
+/// Errors    `normal_module` or `normal_pressure_angle` with its limit if no such rack describes
+///           this gear; `rack` with both numbers as its value if they contradict each other, and
+///           without a value if the teeth are not involute
+Result<ReferenceInput<double>> as_rack(const Gear& gear, const WantedRack& rack);
+
 // The rack that cuts a given root diameter and root form diameter.
 //
 //   d, d_f, d_Ff          reference, root and root form diameter, mm

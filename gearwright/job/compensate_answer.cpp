@@ -279,8 +279,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }
-  answer.result = compensated(job, setup, task, *corrections, gear2_drives, scenarios);
-  const Compensation& result = answer.result;
+  const Compensation result = compensated(job, setup, task, *corrections, gear2_drives, scenarios);
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     if (result.each_after[i].nothing_touches())
       return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);

@@ -21,7 +21,6 @@
 namespace gearwright {
 
 struct CompensateAnswer : CompensateView {
-  Compensation result;
   std::shared_ptr<const SpecTree> corrected;  ///< the spec with the corrections
   Verdict verdict;  ///< of the corrected pair under the errors of the spec
 };

@@ -40,8 +40,7 @@ center_distance_mm = [-0.02, 0.02]
     SolvedJob job = std::move(solved).take();
     const auto answer = answer_compensate(job, nullptr, curves);
     ASSERT_TRUE(answer) << answer.error().message();
-    const Compensation& found = answer->result;
-    EXPECT_LE(*found.after.span, std::max(kQuiet, *found.before.span + kSameError)) << curves;
+    EXPECT_LE(*answer->after.span, std::max(kQuiet, *answer->before.span + kSameError)) << curves;
   }
 }
 

@@ -21,14 +21,6 @@ constexpr const char* kChosen =
     "cannot be combined with `fit.few_teeth` = true, which determines this value; leave out this "
     "key";
 
-std::string shown(double x) { return format_number(x); }
-std::string shown(Angle angle) { return format_number(angle.deg()); }
-
-template <class T>
-std::string shown(const std::optional<T>& given) {
-  return given ? shown(*given) : std::string();
-}
-
 // Returns the error for the first value of the spec that few_teeth itself determines or does not
 // permit. Returns none if the spec gives no such value.
 std::optional<Error> out_of_place(const JobSpec& spec) {
@@ -41,51 +33,51 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
                                                           : nullptr;
     if (chosen) return Error{gear_field(which, chosen), "", kChosen};
     if (const auto& d_a = g.cylindrical.tip_diameter)
-      return Error{gear_field(which, "tip_diameter"), shown(d_a), kChosen};
+      return refused(gear_field(which, "tip_diameter"), *d_a, kChosen);
   }
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(a); };
   for (const int which : {1, 2}) {
     if (const double E = spec.gear(which).cylindrical.thickness_allowance; E != 0.0)
-      return Error{gear_field(which, "thickness_allowance"), shown(E),
-                   "cannot be combined with `fit.few_teeth` = true; give `fit.backlash` instead"};
+      return refused(gear_field(which, "thickness_allowance"), E,
+                     "cannot be combined with `fit.few_teeth` = true; give `fit.backlash` instead");
   }
   const CylindricalSpec& pinion = spec.gear(1).cylindrical;
   const GearInput& wheel = spec.gear(2);
   const CylindricalSpec& teeth = wheel.cylindrical;
   if (differs(pinion.normal_module, teeth.normal_module))
-    return Error{"gear2.normal_module", shown(teeth.normal_module),
-                 "must equal the value of gear 1, which cuts gear 2"};
+    return refused("gear2.normal_module", teeth.normal_module,
+                   "must equal the value of gear 1, which cuts gear 2");
   if (differs(pinion.normal_pressure_angle.deg(), teeth.normal_pressure_angle.deg()))
-    return Error{"gear2.normal_pressure_angle", shown(teeth.normal_pressure_angle),
-                 "must equal the value of gear 1, which cuts gear 2"};
+    return refused("gear2.normal_pressure_angle", teeth.normal_pressure_angle.deg(),
+                   "must equal the value of gear 1, which cuts gear 2");
   if (wheel.helix_given)
-    return Error{"gear2.helix_angle", shown(teeth.helix_angle),
-                 "is determined by gear 1; leave out this key"};
+    return refused("gear2.helix_angle", teeth.helix_angle.deg(),
+                   "is determined by gear 1; leave out this key");
   if (wheel.face_width_given)
-    return Error{"gear2.face_width", shown(teeth.face_width),
-                 "is always equal to the face width of gear 1; leave out this key"};
+    return refused("gear2.face_width", teeth.face_width,
+                   "is always equal to the face width of gear 1; leave out this key");
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
     return Error{spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
                  spec.pair.shorten_tips ? "true" : "extended",
                  "cannot be combined with `fit.few_teeth` = true, which determines tips and centre "
                  "distance; leave out this key"};
   if (const auto& alpha = spec.fit.working_normal_pressure_angle)
-    return Error{"fit.working_normal_pressure_angle", shown(alpha),
-                 "cannot be combined with `few_teeth` = true"};
+    return refused("fit.working_normal_pressure_angle", alpha->deg(),
+                   "cannot be combined with `few_teeth` = true");
   if (const auto& ratio = spec.fit.contact_ratio; ratio && *ratio > kMaxContact)
-    return Error{"fit.contact_ratio", shown(ratio), fmt::format("must be at most {}", kMaxContact)};
+    return refused("fit.contact_ratio", *ratio, fmt::format("must be at most {}", kMaxContact));
   if (teeth.root_fillet)
     return Error{
         "gear2.root_fillet", "",
         "is determined by the pinion, which cuts the root of the wheel; leave out this key"};
-  if (wheel.profile_shift) return Error{"gear2.profile_shift", shown(wheel.profile_shift), kChosen};
+  if (wheel.profile_shift) return refused("gear2.profile_shift", *wheel.profile_shift, kChosen);
   if (pinion.teeth < 0)
     return Error{"gear1.teeth", std::to_string(pinion.teeth),
                  "the internal gear of a pair is gear 2; exchange the two gears"};
   if (const auto& sigma = spec.pair.shaft_angle; sigma && sigma->rad() != 0.0)
-    return Error{
-        "pair.shaft_angle", shown(sigma),
-        "must be 0 or absent, because gears with few teeth are designed for parallel axes"};
+    return refused(
+        "pair.shaft_angle", sigma->deg(),
+        "must be 0 or absent, because gears with few teeth are designed for parallel axes");
   return std::nullopt;
 }
 

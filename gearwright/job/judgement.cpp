@@ -25,40 +25,9 @@ std::vector<std::string> not_judged(const SolvedJob& job, const JudgedParts& par
   return list;
 }
 
-Judged judged_rack(const RackPair& rack, const std::vector<Warning>& warnings) {
-  Judged judged;
-  judged.gears = {&rack.pinion};
-  judged.rack = &rack;
-  judged.warnings = &warnings;
-  return judged;
-}
+}  // namespace
 
-// Returns the state of the pinion and its rack after one change of the spec. Returns none if only a
-// contact analysis can show the effect of the change, or if the changed pinion and rack cannot be
-// computed.
-std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange& change,
-                                         TryDepth depth) {
-  GivenPair given = *job.given;
-  if (depth == TryDepth::with_contact || !make_change(given, change)) return std::nullopt;
-  auto made = arrange(given, Scope::gears);
-  if (!made) return std::nullopt;
-  const auto rack = mount_rack(made->gears[0], *job.spec.rack, given.pair.center_distance);
-  if (!rack) return std::nullopt;
-  std::vector<Warning> warnings = made->warnings;
-  warnings.insert(warnings.end(), rack->warnings.begin(), rack->warnings.end());
-  return ChangedState{findings_of(judged_rack(*rack, warnings)), rack->true_contact_ratio(),
-                      rack->normal_backlash()};
-}
-
-Verdict verdict_of_rack(const SolvedJob& job, const JudgedParts& parts) {
-  Judged judged = judged_rack(*job.rack, job.warnings);
-  judged.contact = parts.contact;
-  return verdict_of(judged, findings_of(judged), [&](const SpecChange& change, TryDepth depth) {
-    return changed_rack(job, change, depth);
-  });
-}
-
-Verdict verdict_of_pair(const SolvedJob& job, const JudgedParts& parts) {
+Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
   JudgedWith with{.contact = parts.contact, .errors = job.spec.errors.any()};
   with.contact_again = [&](Arranged& changed) -> std::optional<ContactResult> {
     SolvedJob again{std::move(changed), job.spec, job.halves};
@@ -72,13 +41,7 @@ Verdict verdict_of_pair(const SolvedJob& job, const JudgedParts& parts) {
     const RatingAnswer& r = *parts.rating;
     with.rating = JudgedRating{&r.pair, &r.input, &r.rating, r.wanted};
   }
-  return judge(static_cast<const Arranged&>(job), with);
-}
-
-}  // namespace
-
-Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
-  Verdict verdict = job.rack ? verdict_of_rack(job, parts) : verdict_of_pair(job, parts);
+  Verdict verdict = judge(static_cast<const Arranged&>(job), with);
   for (Finding& f : verdict.findings)
     f.message = spelled(f.message, job.spec.given, f.gear == 0 ? "" : gear_field(f.gear));
   verdict.not_judged = not_judged(job, parts);

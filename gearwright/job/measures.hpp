@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/gear/basic.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -43,20 +44,12 @@ Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& meas
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
-/// The rack that the user gives with --as-rack as "module,angle". One number may be missing.
-struct RackQuestion {
-  std::optional<double> normal_module;  ///< mm
-  std::optional<Angle> normal_pressure_angle;
-};
+/// Reads the rack that the user gives with --as-rack: "3,20", ",17.5" or "3,". Returns none for
+/// other texts.
+std::optional<WantedRack> parse_wanted_rack(const std::string& text);
 
-/// Reads "3,20", ",17.5" or "3,". Returns none for other texts.
-std::optional<RackQuestion> parse_rack_question(const std::string& text);
-
-/// Describes the gear, with its teeth as cut, by the rack of `question`.
-///
-/// Errors    `--as-rack` if no such rack describes this gear. The message gives the limit of the
-///           module or of the angle, or the module that belongs to the given angle
-Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
+/// Errors    `--as-rack` in place of the fields of as_rack()
+Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const WantedRack& wanted);
 
 /// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,
 /// reference_diameter_mm}

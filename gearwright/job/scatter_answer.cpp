@@ -377,15 +377,8 @@ Result<ScatterAnswer> prepared_scatter(const SolvedJob& job) {
       profile_target(*job.pair),
       {}};
   if (job.halves[0]) task.member.stagger = job.halves[0]->given.stagger_pitches;
-  task.samples = input.samples;
-  task.replicates = input.replicates;
+  static_cast<ScatterPlan&>(task) = input;
   task.seed = static_cast<std::uint64_t>(input.seed);
-  task.sampling = input.sampling;
-  task.percentiles = input.percentiles;
-  task.confidence = input.confidence;
-  task.indices = input.indices;
-  task.worst_case = input.worst_case;
-  task.loosening = input.loosening;
   return answer;
 }
 

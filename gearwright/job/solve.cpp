@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
-#include "gearwright/arrange/complete_pair.hpp"
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
@@ -168,62 +166,13 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   return solve_gears(spec, scope);
 }
 
-namespace {
-
-Result<SolvedJob> solve_rack(const JobSpec& spec) {
-  auto solved = solve(spec, Scope::gears);
-  if (!solved) return solved;
-  SolvedJob job = std::move(solved).take();
-  RackBar bar = *spec.rack;
-  bar.pin_diameter = pin_of_diametral_pitch(spec, 2, false, job.gears[0].spec.normal_module);
-  auto pair = mount_rack(job.gears[0], bar, spec.pair.center_distance, spec.pair.speed_rpm,
-                         spec.pair.friction_coefficient);
-  if (!pair) return spelled(pair.error(), spec.given);
-  job.warnings.insert(job.warnings.end(), pair->warnings.begin(), pair->warnings.end());
-  job.rack = std::move(pair).take();
-  return job;
-}
-
-// Returns the normal backlash that [pair] requires, mm.
-double wanted_backlash(const PairInput& given, const RackPair& rack) {
-  if (given.backlash) return *given.backlash;
-  const double along = given.backlash_angle
-                           ? given.backlash_angle->rad() * rack.pinion.reference_diameter / 2
-                           : *given.backlash_circumferential;
-  return along * std::cos(rack.rack.helix_angle.rad());
-}
-
-}  // namespace
-
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
   if (!spec.rack) return solve(spec, scope);
-  const PairInput& given = spec.pair;
-  auto nominal = solve_rack(spec);
-  if (!nominal || !given.wants_backlash()) return nominal;
-  // The backlash is a linear function of the allowances [T2.36], [T2.37].
-  const double wanted = wanted_backlash(given, *nominal->rack);
-  const double thinning = wanted - nominal->rack->normal_backlash();
-  JobSpec thinned = spec;
-  thinned.gears[0]->cylindrical.thickness_allowance = -given.backlash_split * thinning;
-  thinned.rack->thickness_allowance = -(1 - given.backlash_split) * thinning;
-  auto made = solve_rack(thinned);
-  if (!made)
-    return spelled(
-        following_from(backlash_field(given), format_number(wanted),
-                       fmt::format("it requires thickness allowances of {} mm and {} mm, but",
-                                   format_number(-given.backlash_split * thinning),
-                                   format_number(-(1 - given.backlash_split) * thinning)),
-                       made.error()),
-        spec.given);
-  SolvedJob job = std::move(made).take();
-  constexpr double kNoThinning = -1e-9;  // mm; smaller magnitudes are rounding errors
-  if (thinning < kNoThinning)
-    job.warnings.push_back(
-        {WarningCode::thickened_for_backlash,
-         fmt::format("The centre distance leaves more backlash than the normal backlash of {} mm "
-                     "that is required. The teeth are therefore made thicker by {} mm in total.",
-                     format_number(wanted), format_number(-thinning)),
-         0});
+  auto solved = solve_gears(spec, Scope::everything);
+  if (!solved) return solved;
+  SolvedJob job = std::move(solved).take();
+  job.rack->rack.bar.pin_diameter =
+      pin_of_diametral_pitch(spec, 2, false, job.gear(1).spec.normal_module);
   return job;
 }
 

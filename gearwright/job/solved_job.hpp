@@ -17,12 +17,7 @@ struct SolvedJob : Arranged {
   /// The halves of double-helical gears. If they are present, `gears` and `pair` describe only the
   /// half at z > 0.
   std::array<std::optional<Halves>, 2> halves{};
-  /// The pinion with its rack, if gear 2 is a rack. `gears` then contains only the pinion.
-  std::optional<RackPair> rack{};
 
-  int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
-  /// True if gear 1 is mounted with another gear or with a rack.
-  bool mounted() const { return pair || rack; }
   /// Returns the gears whose flanks are drawn. The second is null if gear 2 is a rack.
   std::array<const Gear*, 2> flanked_gears() const {
     return {&gears.front(), gears.size() > 1 ? &gears.back() : nullptr};
@@ -44,9 +39,8 @@ struct SolvedJob : Arranged {
 ///           `gear2.form` if gear 2 is a rack and `scope` includes more than the single gears
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
-/// Works like solve(), but gear 2 may also be a rack.
-///
-/// Errors    the errors of solve() and mount_rack()
+/// Works like solve(), but gear 2 may also be a rack, which is mounted with its pinion for every
+/// `scope`.
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
 /// If gear 2 is a rack, returns the error for a result that needs two gears. Otherwise, returns

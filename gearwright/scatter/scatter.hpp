@@ -35,7 +35,7 @@ struct ToleranceGroup {
 struct LoadedFamily {
   PairCompliance compliance;
   LoadRequest request;  ///< without rotations; the root stresses are not used
-  int samples = 32;     ///< per replicate, a power of two, at most ScatterTask::samples
+  int samples = 32;     ///< per replicate, a power of two, at most ScatterPlan::samples
   /// For a double-helical pair, `request` is the request of the half at z > 0, with half of the
   /// torques, and `second_half` is the request of the mirror image of the other half.
   std::optional<LoadRequest> second_half{};
@@ -44,7 +44,19 @@ struct LoadedFamily {
   double torque(std::size_t k) const { return (second_half ? 2 : 1) * request.torques[k]; }
 };
 
-struct ScatterTask {
+/// The number of samples, and the results that are computed from them.
+struct ScatterPlan {
+  int samples = 1024;  ///< n, samples of each replicate, a power of two
+  int replicates = 8;  ///< R, number of replicates
+  Sampling sampling = Sampling::sobol;
+  std::vector<double> percentiles{5, 50, 95};  ///< 0 < p < 100
+  double confidence = 0.95;
+  bool indices = false;
+  bool worst_case = false;
+  bool loosening = false;
+};
+
+struct ScatterTask : ScatterPlan {
   std::vector<ScatterTolerance> tolerances;
   /// Correlations of the scores of coordinates that check_correlations() accepts.
   std::vector<ToleranceCorrelation> correlations{};
@@ -52,15 +64,7 @@ struct ScatterTask {
   /// for `indices` only.
   std::vector<ToleranceGroup> groups;
   MemberRequest member;
-  int samples = 1024;  ///< n, a power of two
-  int replicates = 8;  ///< R
   std::uint64_t seed = 1;
-  Sampling sampling = Sampling::sobol;
-  std::vector<double> percentiles{5, 50, 95};  ///< 0 < p < 100
-  double confidence = 0.95;
-  bool indices = false;
-  bool worst_case = false;
-  bool loosening = false;
   std::optional<LoadedFamily> load{};
   std::optional<DensityRequest> density{};
   int threads = 0;  ///< number of threads; 0 means one thread per core
@@ -125,7 +129,7 @@ struct WorstMember {
 /// The effect of each tolerance on the highest percentile of the peak-to-peak TE. One tolerance
 /// becomes wider or narrower about the nominal value, and all others stay the same.
 struct Loosening {
-  /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak-to-peak value
+  /// `percent` is the highest of ScatterPlan::percentiles. `percentile` is the peak-to-peak value
   /// at `percent`, in rad. The value is taken from the first replicate, with all tolerances as
   /// specified.
   double percent, percentile;

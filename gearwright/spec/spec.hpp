@@ -17,7 +17,6 @@
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_problem.hpp"
-#include "gearwright/pair/rack_pair.hpp"
 #include "gearwright/spec/missing_for.hpp"
 #include "gearwright/spec/spec_text.hpp"
 
@@ -34,7 +33,6 @@ struct JobSpec : SpecTables {
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
-  std::optional<RackBar> rack;  ///< set if gear 2 is a rack; `gears` then contains only the pinion
   std::optional<SearchProblem> search;
   /// The readings in [gearN.measured]. An unknown gear has readings but is not in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import copy
-import math
 import os
 from collections.abc import Mapping
 from typing import Any
 
 from . import _core
+from ._records import Record
 
 # Endings of keys that name a unit, and the size of this unit in mm or rad.
-_UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_um", 1e-3), ("_arcsec", math.pi / 648000.0))
+_UNITS: dict[str, float] = _core._units()
 
 
 def _value(record: Mapping[str, Any], name: str) -> Any:
     """Returns the value of a key, or of a name in mm and rad."""
     if name in record:
         return record[name]
-    for suffix, unit in _UNITS:
+    for suffix, unit in _UNITS.items():
         value = record.get(name + suffix)
         if isinstance(value, list):
             return [unit * v for v in value]
@@ -27,32 +27,21 @@ def _value(record: Mapping[str, Any], name: str) -> Any:
     raise AttributeError(f"there is no quantity {name}")
 
 
-class Part:
-    """A part of a drive, for example a body or a mesh. Attributes are in mm and rad. Items have the units of their
-    keys."""
+class Part(Record):
+    """A part of a drive, for example a body or a mesh. Attributes also have the names of keys."""
+
+    __slots__ = ()
 
     def __init__(self, record: Mapping[str, Any]) -> None:
-        self._record = dict(record)
+        super().__init__(dict(record), dict(record), list(record))
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        return _wrapped(_value(self._record, name))
+        return _wrapped(_value(self._items, name))
 
-    def __getitem__(self, key: str) -> Any:
-        return copy.deepcopy(self._record[key])
-
-    def __dir__(self) -> list[str]:
-        return ["as_dict", *self._record]
-
-    def as_dict(self) -> dict[str, Any]:
-        return copy.deepcopy(self._record)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Part) and self._record == other._record
-
-    def __repr__(self) -> str:
-        return f"Part({self._record!r})"
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Part, (self._items,)
 
 
 def _wrapped(value: Any) -> Any:
@@ -127,7 +116,7 @@ class Drive:
         for key, value in changes.items():
             target = spec if key in tables else own
             target.pop(key, None)
-            for suffix, _ in _UNITS:  # removes the same quantity if it is given in another unit
+            for suffix in _UNITS:  # removes the same quantity if it is given in another unit
                 target.pop(key + suffix, None)
                 if key.endswith(suffix):
                     target.pop(key[: -len(suffix)], None)

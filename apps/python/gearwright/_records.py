@@ -42,7 +42,7 @@ class Record:
         return isinstance(other, Record) and self.as_dict() == other.as_dict()
 
     def __repr__(self) -> str:
-        return f"Record({self.as_dict()!r})"
+        return f"{type(self).__name__}({self.as_dict()!r})"
 
     def __copy__(self) -> Record:
         return self

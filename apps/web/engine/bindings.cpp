@@ -125,7 +125,7 @@ Result<FlankRaster> gap_map(Session& session, double rotation1_deg, int k, int r
   return session.gap_map(rotation1_deg, k, {rows, columns});
 }
 Result<Json> contact_figures(Session& session, const val& of) {
-  ContactView view;
+  ContactFigureView view;
   view.width = of["width"].as<double>();
   view.positions = of["positions"].as<int>();
   view.index = of["index"].as<int>();

@@ -177,7 +177,7 @@ Result<Json> Session::contact_curve(int positions) {
   return curve;
 }
 
-Result<Json> Session::contact_figures(const ContactView& view) {
+Result<Json> Session::contact_figures(const ContactFigureView& view) {
   const auto made = this->found(view.positions);
   if (!made) return made.error();
   const Found& found = **made;

@@ -21,7 +21,8 @@
 
 namespace gearwright::web {
 
-struct ContactView {
+/// Options of the figures of the contact.
+struct ContactFigureView {
   double width = 560.0;               ///< px, width of a figure
   int positions = 64;                 ///< number of positions per pitch
   int index = 0;                      ///< index of the position whose gap is shown on the flanks
@@ -78,7 +79,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
   Result<Json> contact_curve(int positions);
-  Result<Json> contact_figures(const ContactView& view);
+  Result<Json> contact_figures(const ContactFigureView& view);
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
   Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
