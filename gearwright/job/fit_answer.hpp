@@ -44,9 +44,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nul
 
 // The verb `identify` computes the gears that agree with the readings of an unknown gear.
 
-struct IdentifyAnswer {
-  int gear;  ///< 1 or 2, the gear with the readings
-  Identification found;
+struct IdentifyAnswer : IdentifyView {
   std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
   /// For each candidate, a sentence with its number and likelihood. Sentences about data of the
   /// gear that the readings do not determine follow.
