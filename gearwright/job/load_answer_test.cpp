@@ -148,6 +148,40 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_EQ(error->field, "load.torques");
 }
 
+// `run` has a warning for such a pair. The page needs the error itself, whose key has a field.
+TEST(LoadAnswer, HalvesThatDoNotTouchAreAnErrorOfTheirKey) {
+  SolvedJob job = loaded_job(R"(
+[gear1]
+teeth = 20
+normal_module_mm = 2
+helix_angle_deg = 25
+profile_shift = 0
+face_width_mm = 50
+double_helical = { gap_mm = 10 }
+[gear2]
+teeth = 40
+profile_shift = 0
+double_helical = { gap_mm = 10 }
+[pair]
+center_distance_mm = 75
+[load]
+torque_Nm = 50
+accuracy = "draft"
+positions = 4
+slices = 8
+)");
+  const std::size_t before = job.warnings.size();
+  const auto made = load_with_scene(job);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().kind, FailureKind::nothing_touches);
+  EXPECT_EQ(made.error().field, "pair.center_distance");
+  EXPECT_EQ(job.warnings.size(), before);
+  const auto part = load_part(job);
+  ASSERT_TRUE(part);
+  EXPECT_FALSE(*part);
+  EXPECT_EQ(job.warnings.back().code, WarningCode::no_contact);
+}
+
 // If the stiffness differs from the standard, the message gives the reasons, for example an error
 // of the axes or a light load.
 TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {

@@ -4,6 +4,7 @@
 #include "apps/web/engine/stopwatch.hpp"
 #include "apps/web/engine/work.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/base/contract.hpp"
 #include "gearwright/figure/load_figures.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
@@ -124,10 +125,10 @@ std::optional<Error> LoadWork::close() {
 
 Result<Steps> LoadHalvesWork::step(double) {
   if (result_.is_null()) {
-    auto made = load_part(job_);
+    auto made = load_with_scene(job_);
     if (!made) return made.error();
-    if (!*made || !(*made)->report) return Error{"", "", job_.warnings.back().message};
-    take((*made)->answer, std::move(*(*made)->report));
+    GW_EXPECTS(made->report);  // load_work() makes this work only for torques
+    take(made->answer, std::move(*made->report));
   }
   return Steps{1, 1, true};
 }
