@@ -212,10 +212,8 @@ std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup
 }
 
 void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
-  const auto contact_lost = [](const Warning& w) {
-    return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
-  };
-  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
+  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
+  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
     job.warnings.push_back(
         {WarningCode::contact_lost,
          "Contact is lost at some positions, and no correction in the searched range restores "
