@@ -113,10 +113,6 @@ std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
 
 }  // namespace
 
-Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
-  return titled_record(job.spec, "load", load_quantities().of(answer));
-}
-
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   const UnitSystem units = job.spec.units();
   std::string out = title_listing(job.spec);

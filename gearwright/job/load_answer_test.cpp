@@ -5,9 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/job/analysis.hpp"
 #include "gearwright/job/judgement.hpp"
-#include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 namespace {
@@ -135,7 +134,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_NE(warning->message.find("-3.21429°"), std::string::npos) << warning->message;
   const Verdict verdict = judge(job);
   EXPECT_EQ(verdict.level, Level::red);
-  const auto json = load_json(job, answer);
+  const auto json = titled_record(kLoadAnalysis, job, answer);
   const auto& position = json["load"]["torques"][0]["positions"][3];
   for (const char* key : {"transmission_error_arcsec", "approach_um", "max_pressure_MPa", "kind"})
     EXPECT_TRUE(position[key].is_null() || !std::isfinite(position[key].get<double>())) << key;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/catalogue/testing/document_blocks.hpp"
 
 #ifndef GEARWRIGHT_STOP_AT_VIOLATIONS
 namespace gearwright {
@@ -70,6 +71,18 @@ TEST(Verbs, are_found_by_their_names) {
   }
   EXPECT_EQ(find_verb("run"), nullptr);  // writes files
   EXPECT_EQ(find_verb(""), nullptr);
+}
+
+// The engine has the verbs of the table, and a search.
+TEST(VerbDocument, TheTypeOfTheEngineIsTheTable) {
+  constexpr const char* kTypes = "apps/web/engine/engine.d.ts";
+  std::string made = "export type Verb =";
+  for (const Verb& verb : verbs()) made += fmt::format(" \"{}\" |", verb.name);
+  made += " \"search\";\n";
+  std::string text = document(kTypes);
+  const std::size_t from = text.find("export type Verb =");
+  ASSERT_NE(from, std::string::npos);
+  expect_document(kTypes, text.replace(from, text.find('\n', from) + 1 - from, made));
 }
 
 TEST(Verbs, answer_in_the_forms_that_their_rows_promise) {

@@ -36,7 +36,7 @@ export interface Failed {
   };
 }
 
-export type Verb = "gear" | "pair" | "drive" | "measure" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
+export type Verb = "gear" | "pair" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "drive" | "measure" | "identify" | "fit" | "search";
 
 /** Kinds of files that the engine makes. `report` and `json` contain everything about the spec. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";

@@ -6,9 +6,7 @@
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/job/judgement.hpp"
-#include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/analysis.hpp"
 #include "gearwright/job/result_rows.hpp"
 #include "gearwright/load/load_summary.hpp"
 
@@ -135,9 +133,9 @@ Result<Steps> LoadHalvesWork::step(double) {
 
 void LoadAnswerWork::take(const LoadAnalysis& answer, LoadScene scene) {
   scene_ = std::move(scene);
-  Json json = load_json(job_, answer);
+  Json json = titled_record(kLoadAnalysis, job_, answer);
   json["warnings"] = warnings_json(job_.warnings);
-  json["verdict"] = verdict_json(judge(job_, {.load = true}));
+  json["verdict"] = verdict_json(kLoadAnalysis.judge(job_, answer));
   result_["json"] = json_text(json, 2) + "\n";
   for (const LoadTorqueView& torque : torque_views(*answer.contact, answer.standard))
     torques_.push_back(load_torque_quantities().of(torque));
