@@ -32,7 +32,7 @@ bool gear2_drives(const JobSpec& spec) {
 }
 
 struct NamedErrors {
-  std::string name;
+  std::vector<ErrorValue> values;  // as in Scenario
   ContactErrors errors;
 };
 
@@ -45,11 +45,10 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
 // Returns the scenario with the values `value` of the errors `ranged`, in the units of their keys.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
-  NamedErrors s{"", setup.place().errors};
+  NamedErrors s{{}, setup.place().errors};
   for (const std::size_t i : ranged) {
     s.errors = with_error(setup, s.errors, i, value[i]);
-    s.name +=
-        fmt::format("{}{} = {}", s.name.empty() ? "" : ", ", error_entries()[i].key, value[i]);
+    s.values.push_back({i, value[i]});
   }
   return s;
 }
@@ -63,7 +62,7 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
 
 // Returns the scenario of the errors in the spec, and then one for every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
-  std::vector<NamedErrors> list{{"as given", setup.place().errors}};
+  std::vector<NamedErrors> list{{{}, setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);
   if (ranged.empty()) return list;
   for (std::size_t corner = 0; corner < (1u << ranged.size()); ++corner) {
@@ -278,8 +277,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   const Compensation& result = answer.result;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     if (result.each_after[i].nothing_touches())
-      return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);
-    answer.scenarios.push_back({scenarios[i].name, result.each_before[i], result.each_after[i]});
+      return nothing_touches_under(setup, errors_text(scenarios[i].values), scenarios[i].errors);
+    answer.scenarios.push_back({scenarios[i].values, result.each_before[i], result.each_after[i]});
   }
   answer.before = result.before;
   answer.after = result.after;
