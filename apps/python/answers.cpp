@@ -244,10 +244,10 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
 }
 
 py::object verify(const py::object& cases) {
-  const std::string text = json_text(tree_of(cases, ""));
+  const Json file = tree_of(cases, "");
   const auto outcomes = value_or_raise([&] {
     const py::gil_scoped_release free;
-    return verify_cases(text);
+    return run_cases(file);
   }());
   py::list all;
   for (const CaseOutcome& c : outcomes) {
