@@ -124,6 +124,13 @@ TEST(ResultDocument, CodesAreTheWarnings) {
   expect_block(kDocument, "codes", "warning", text);
 }
 
+TEST(ResultDocument, CodesAreTheKindsOfErrors) {
+  std::string text = "| kind | meaning |\n|---|---|\n";
+  for (const FailureMeaning& m : failure_meanings())
+    text += fmt::format("| `{}` | {} |\n", m.text, cell(m.sentence));
+  expect_block(kDocument, "codes", "error", text);
+}
+
 TEST(ResultDocument, CausesAreTheCollisions) {
   std::string text = "| cause | meaning |\n|---|---|\n";
   for (const CauseMeaning& m : collision_causes()) {

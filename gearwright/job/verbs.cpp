@@ -373,8 +373,9 @@ Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* p
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& text, SpecUse use) {
   using enum BatchLine::Outcome;
-  const auto failure = [](const Error& error, BatchLine::Outcome outcome = failed) {
-    return BatchLine{json_text(error_json(error)), outcome};
+  const auto failure = [](const Error& error) {
+    return BatchLine{json_text(error_json(error)),
+                     error.kind == FailureKind::defect ? violated : failed};
   };
   if (text.size() > kMaxSpec) {
     return failure({"", "",
@@ -387,9 +388,9 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
     const auto json = answer(*spec);
     return json ? BatchLine{json_text(*json)} : failure(spelled(json.error(), spec->given));
   } catch (const IoError& e) {  // a file named in the spec
-    return failure({"", "", e.what()});
+    return failure({"", "", e.what(), FailureKind::file});
   } catch (const ContractViolation& e) {
-    return failure({"", "", e.what()}, violated);
+    return failure({"", "", e.what(), FailureKind::defect});
   }
 }
 

@@ -43,6 +43,7 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
       }
       EXPECT_EQ(answer["error"]["key"], "");
       EXPECT_EQ(answer["error"]["value"], "");
+      EXPECT_EQ(answer["error"]["kind"], "defect");
       const std::string message = answer["error"]["message"];
       for (const char* words : {"teeth % 2 == 0", "verbs_test.cpp:", "please report it"})
         EXPECT_NE(message.find(words), std::string::npos) << message;
@@ -60,7 +61,7 @@ TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   EXPECT_EQ(line(21), BatchLine::Outcome::violated);
   const BatchLine refused = batch_line(computed, "{}");
   EXPECT_EQ(refused.outcome, BatchLine::Outcome::failed);
-  EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
+  EXPECT_EQ(Json::parse(refused.text)["error"]["kind"], "missing") << refused.text;
 }
 
 TEST(Verbs, are_found_by_their_names) {
