@@ -68,7 +68,7 @@ int end_run(const Options& o, UnitSystem units, const RunFiles& made, const std:
             const std::vector<Warning>& warnings) {
   if (o.json) {
     // The output is the content of result.json, except that `files` lists all files.
-    Json j = parse_json(made.result);
+    Json j = made.result;
     j["files"] = files_json(made.files);
     print_json(in_units(units, j));
   } else {

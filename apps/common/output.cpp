@@ -100,7 +100,7 @@ int guarded(const std::function<int()>& work, bool json) {
   try {
     return work();
   } catch (const ContractViolation& e) {
-    fail({"", "", e.what()}, json);
+    fail({"", "", e.what(), FailureKind::defect}, json);
     return kViolated;
   }
 }

@@ -12,11 +12,8 @@
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
-#include "gearwright/job/compensate_answer.hpp"
-#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/analysis.hpp"
 #include "gearwright/job/fit_answer.hpp"
-#include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
 #include "gearwright/report/report_sections.hpp"
@@ -27,19 +24,16 @@ namespace gearwright::python {
 
 namespace {
 
-// Runs find(job, progress) and converts its result to a Self. record(job, answer) returns the
-// quantities of the result, and judged(job, answer) returns its verdict. Ctrl-C stops the
-// computation.
-template <class Self, class Find, class Record, class Judge>
-Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
+// Runs the analysis and converts its result to a Self. Ctrl-C stops the computation.
+template <class Self, class Found>
+Self answered(const ModelPtr& asked, const Analysis<Found>& how) {
   const auto model = std::make_shared<Model>(*asked);
   const auto work = [&](Progress* progress) -> Result<AnswerValue> {
-    auto found = find(model->job, progress);
+    auto found = how.find(model->job, progress);
     if (!found) return found.error();
-    const auto answer =
-        std::make_shared<const std::decay_t<decltype(*found)>>(std::move(found).take());
-    return AnswerValue{model, std::make_shared<const ValueRecord>(record(model->job, *answer)),
-                       [model, answer, judged] { return judged(model->job, *answer); }};
+    const auto answer = std::make_shared<const Found>(std::move(found).take());
+    return AnswerValue{model, std::make_shared<const ValueRecord>(how.record(model->job, *answer)),
+                       [model, answer, judged = how.judge] { return judged(model->job, *answer); }};
   };
   return Self{watched_result(model->given(), work)};
 }
@@ -47,27 +41,20 @@ Self answered(const ModelPtr& asked, const Find& find, const Record& record, con
 ContactValue contact_of(const PairValue& pair, const py::object& errors,
                         const py::object& modifications, const py::kwargs& keys) {
   return answered<ContactValue>(
-      asked_model(pair, errors, modifications, contact_keys(), "contact", keys), answer_contact,
-      [](const SolvedJob&, const ContactAnswer& a) { return contact_quantities().of(a); },
-      [](const SolvedJob& job, const ContactAnswer& a) {
-        return judge(job, {.contact = &a.judged()});
-      });
+      asked_model(pair, errors, modifications, contact_keys(), "contact", keys), kContactAnalysis);
 }
 
 RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {
   return answered<RatingValue>(
       with_two_gears(asked_model(pair, py::none(), py::none(), rating_keys(), "rating", keys)),
-      [](SolvedJob& job, Progress* progress) { return answer_rating(job, progress); },
-      [](const SolvedJob&, const RatingAnswer& a) { return rating_quantities().of(a); },
-      [](const SolvedJob& job, const RatingAnswer& a) { return judge(job, {.rating = &a}); });
+      kRatingAnalysis);
 }
 
 LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
                       const py::object& modifications, const py::kwargs& keys) {
   return answered<LoadedValue>(
       with_two_gears(asked_model(pair, errors, modifications, load_keys(), "load", keys)),
-      answer_load, [](const SolvedJob&, const LoadAnalysis& a) { return load_quantities().of(a); },
-      [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
+      kLoadAnalysis);
 }
 
 py::array positions_of(const ContactValue& c) {
@@ -178,8 +165,8 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;
   const CompensateAnswer found = watched_result(
-      model->given(), [&](Progress* progress) { return answer_compensate(job, progress); });
-  return by_name(Value(compensate_quantities().of(found)));
+      model->given(), [&](Progress* progress) { return kCompensateAnalysis.find(job, progress); });
+  return by_name(Value(kCompensateAnalysis.record(job, found)));
 }
 
 // Returns the columns of the samples. These are the inputs, such as "errors.crossing_deg" or
@@ -242,7 +229,7 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;
   const auto found = std::make_shared<const ScatterAnswer>(watched_result(
-      model->given(), [&](Progress* progress) { return answer_scatter(job, progress); }));
+      model->given(), [&](Progress* progress) { return kScatterAnalysis.find(job, progress); }));
   const ScatterView view = scatter_view(job, *found);
   const py::object record = by_name(Value(scatter_quantities().of(view)));
   const py::object set = record.attr("_attributes").attr("__setitem__");
@@ -257,10 +244,10 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
 }
 
 py::object verify(const py::object& cases) {
-  const std::string text = json_text(tree_of(cases, ""));
+  const Json file = tree_of(cases, "");
   const auto outcomes = value_or_raise([&] {
     const py::gil_scoped_release free;
-    return verify_cases(text);
+    return run_cases(file);
   }());
   py::list all;
   for (const CaseOutcome& c : outcomes) {

@@ -218,7 +218,9 @@ int threads_in_range(int threads) {
 
 void raise(const Error& error) {
   const py::object type = type_of("gearwright._errors", "SpecError");
-  PyErr_SetObject(type.ptr(), type(error.field, error.value, error.rule, error.message()).ptr());
+  PyErr_SetObject(
+      type.ptr(),
+      type(error.field, error.value, error.rule, error.message(), to_string(error.kind)).ptr());
   throw py::error_already_set();
 }
 

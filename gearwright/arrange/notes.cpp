@@ -119,10 +119,7 @@ Warning not_read(const std::string& what) {
 
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings, std::string_view before) {
   for (Warning& w : found) {
-    const auto same = [&](const Warning& other) {
-      return w.code == other.code && w.message == other.message;
-    };
-    if (std::any_of(warnings.begin(), warnings.end(), same)) continue;
+    if (std::find(warnings.begin(), warnings.end(), w) != warnings.end()) continue;
     w.message.insert(0, before);
     warnings.push_back(std::move(w));
   }

@@ -197,11 +197,11 @@ Error of_tolerance(const Error& error, const GivenPair& given) {
     return following_from(field, "", "one end of this tolerance requires", error);
   };
   const bool varies = given.pair.distance_deviations || given.pair.distance_tolerance;
-  if (varies && error.field == "pair.center_distance") return from(distance_member(given.pair));
+  if (varies && member == GearMember::center_distance) return from(distance_member(given.pair));
   const GearInput* const gear = which == 0 ? nullptr : given.find(which);
   if (gear && member == GearMember::tip_diameter && gear->tolerance.tip_deviations)
     return from(gear_field(which, tip_member(gear->tolerance)));
-  if (gear && gear->allowance_ends && error.field == gear_field(which, "thickness_allowance"))
+  if (gear && member == GearMember::thickness_allowance && gear->allowance_ends)
     return from(gear_field(which, thickness_member(gear->tolerance)));
   return error;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
@@ -16,7 +17,7 @@ namespace {
 // half of a gear with the given face width.
 std::optional<Error> rest_error(const CylindricalSpec& half, double gap, double face_width) {
   const auto error = check_limits(half);
-  if (!error || error->field != "face_width") return std::nullopt;
+  if (!error || subject_of(error->field).member != GearMember::face_width) return std::nullopt;
   CylindricalSpec whole = half;
   whole.face_width = face_width;
   if (auto of_whole = check_limits(whole)) return of_whole;

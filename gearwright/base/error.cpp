@@ -1,6 +1,7 @@
 #include "gearwright/base/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -32,7 +33,35 @@ std::string limit_text(double limit, int digits, Side side) {
   return with_digits(read + (side == Side::down ? -unit : unit), digits);
 }
 
+using Kind = FailureKind;
+
+constexpr std::array<FailureMeaning, static_cast<std::size_t>(Kind::count)> kFailures{{
+    {Kind::value, "value", "the value, or the spec as a whole, is not possible"},
+    {Kind::missing, "missing", "a required input is missing"},
+    {Kind::no_flank, "no_flank", "a gear has no usable flank"},
+    {Kind::placement, "placement", "the gears cannot be placed or shaped as the spec requires"},
+    {Kind::nothing_touches, "nothing_touches", "the teeth of the two gears touch at no position"},
+    {Kind::not_under_load, "not_under_load", "teeth of this kind are not computed under load"},
+    {Kind::not_converged, "not_converged", "the forces under load converge at no position"},
+    {Kind::not_in_build, "not_in_build", "this build of the program cannot compute the result"},
+    {Kind::option, "option",
+     "the error is about an option of the command line, and not about the spec"},
+    {Kind::file, "file", "a file that the spec names cannot be read"},
+    {Kind::defect, "defect", "a defect in Gearwright; please report it together with the spec"},
+}};
+
+constexpr bool failures_are_in_order() {
+  for (std::size_t i = 0; i < kFailures.size(); ++i)
+    if (kFailures[i].kind != static_cast<Kind>(i)) return false;
+  return true;
+}
+static_assert(failures_are_in_order());
+
 }  // namespace
+
+std::span<const FailureMeaning> failure_meanings() { return kFailures; }
+
+const char* to_string(FailureKind kind) { return kFailures[static_cast<std::size_t>(kind)].text; }
 
 std::string Error::message() const {
   if (field.empty()) return rule;

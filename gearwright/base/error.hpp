@@ -10,6 +10,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,19 @@ enum class FailureKind {
   not_converged,    ///< the forces under load converge at no position
   not_in_build,     ///< this build cannot compute the result
   option,           ///< the field is an option of the command line, not a part of the input
+  file,             ///< a file of the input cannot be read
+  defect,           ///< a contract is violated (base/contract.hpp)
+  count             ///< the number of kinds, not a kind
 };
+
+struct FailureMeaning {
+  FailureKind kind;
+  const char* text;      ///< the name of the kind in results, such as "missing"
+  const char* sentence;  ///< the meaning of the kind, used in documents
+};
+/// Returns the row of every kind, in the order of the enumerators.
+std::span<const FailureMeaning> failure_meanings();
+const char* to_string(FailureKind kind);
 
 struct Error {
   std::string field;  ///< empty if the error concerns no single member

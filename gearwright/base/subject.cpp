@@ -13,13 +13,15 @@ constexpr NamedMember kMembers[] = {{"", GearMember::none},
                                     {"normal_module", GearMember::normal_module},
                                     {"helix_angle", GearMember::helix_angle},
                                     {"profile_shift", GearMember::profile_shift},
+                                    {"thickness_allowance", GearMember::thickness_allowance},
                                     {"face_width", GearMember::face_width},
                                     {"tip_diameter", GearMember::tip_diameter},
                                     {"tip_fillet.end_radius", GearMember::tip_end_radius},
                                     {"cut_by", GearMember::cutter},
                                     {"bore.diameter", GearMember::bore},
                                     {"bore.keyway_width", GearMember::keyway},
-                                    {"bore.keyway_depth", GearMember::keyway}};
+                                    {"bore.keyway_depth", GearMember::keyway},
+                                    {"pair.center_distance", GearMember::center_distance}};
 
 }  // namespace
 

@@ -12,18 +12,20 @@ namespace gearwright {
 
 /// The members of a gear that code distinguishes.
 enum class GearMember {
-  none,            ///< the field names the gear as a whole, "gear1", or is empty
-  other,           ///< any other field
-  teeth,           ///< number of teeth
-  normal_module,   ///< m_n
-  helix_angle,     ///< β
-  profile_shift,   ///< x
-  face_width,      ///< b
-  tip_diameter,    ///< d_a
-  tip_end_radius,  ///< radius at which a tip fillet ends
-  cutter,          ///< pinion cutter and generating centre distance
-  bore,            ///< diameter of the bore
-  keyway           ///< width or depth of the keyway
+  none,                 ///< the field names the gear as a whole, "gear1", or is empty
+  other,                ///< any other field
+  teeth,                ///< number of teeth
+  normal_module,        ///< m_n
+  helix_angle,          ///< β
+  profile_shift,        ///< x
+  thickness_allowance,  ///< E_sn
+  face_width,           ///< b
+  tip_diameter,         ///< d_a
+  tip_end_radius,       ///< radius at which a tip fillet ends
+  cutter,               ///< pinion cutter and generating centre distance
+  bore,                 ///< diameter of the bore
+  keyway,               ///< width or depth of the keyway
+  center_distance       ///< a, a member of the pair and not of a gear
 };
 
 struct Subject {

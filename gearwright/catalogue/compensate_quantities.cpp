@@ -1,8 +1,11 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
 
 namespace gearwright {
 
@@ -14,7 +17,8 @@ constexpr const char* kLead = "Lead angle that removes the slope of the transmis
 const Quantities<Scenario>& scenario_quantities() {
   using S = Scenario;
   return define("compensate.scenarios", [](Quantities<S>& q) {
-    q.text("errors", "errors of the scenario, in words", &S::errors);
+    q.text("errors", "errors of the scenario, in words",
+           [](const S& s) { return errors_text(s.errors); });
     q.record<score_quantities>("before", "scores without corrections", &S::before);
     q.record<score_quantities>("after", "scores with the corrections", &S::after);
   });
@@ -145,6 +149,14 @@ void add_compensation(Quantities<CompensateView>& q) {
 }
 
 }  // namespace
+
+std::string errors_text(const std::vector<ErrorValue>& errors) {
+  if (errors.empty()) return "as given";
+  std::string text;
+  for (const auto& [index, value] : errors)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", error_entries()[index].key, value);
+  return text;
+}
 
 const char* least_gain(CompensateAim aim) {
   return aim == CompensateAim::pressure ? "0.1 N/mm²" : "0.001 ″";

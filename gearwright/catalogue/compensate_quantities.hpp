@@ -21,9 +21,18 @@ struct FoundCorrection {
   bool at_bound;         ///< true if the value is at the end of the searched range
 };
 
-/// A set of errors, described in words, and its effect before and after the correction.
+/// The value of an error of error_entries(), in the unit of its key.
+struct ErrorValue {
+  std::size_t index;
+  double value;
+};
+/// Returns the errors with their keys, "crossing_deg = -0.01, axial_mm = 2". Without values, these
+/// are the errors of the spec, and the text is "as given".
+std::string errors_text(const std::vector<ErrorValue>& errors);
+
+/// A set of errors, and its effect before and after the correction.
 struct Scenario {
-  std::string errors;
+  std::vector<ErrorValue> errors;  ///< as in errors_text()
   ContactScore before, after;
 };
 

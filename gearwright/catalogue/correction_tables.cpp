@@ -11,23 +11,13 @@ namespace gearwright {
 
 namespace {
 
-// Returns the description of a scenario in words. `errors` is a list of keys and values such as
-// "crossing_deg = -0.01, axial_mm = 2". A part that does not begin with a key of [errors], such as
-// "as given", is not changed.
-std::string in_words(std::string_view errors) {
+// Returns the errors in words, "out-of-plane shaft deviation -0.01°".
+std::string in_words(const std::vector<ErrorValue>& errors) {
+  if (errors.empty()) return errors_text(errors);
   std::string text;
-  while (!errors.empty()) {
-    const std::string_view one = errors.substr(0, errors.find(", "));
-    errors.remove_prefix(std::min(errors.size(), one.size() + 2));
-    const std::size_t equals = std::min(one.size(), one.find(" = "));
-    const auto index = error_index(one.substr(0, equals));
-    text += text.empty() ? "" : ", ";
-    if (!index) {
-      text += one;
-      continue;
-    }
-    const ErrorEntry& e = error_entries()[*index];
-    text += fmt::format("{} {}{}", e.words, one.substr(equals + 3),
+  for (const auto& [index, value] : errors) {
+    const ErrorEntry& e = error_entries()[index];
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", e.words, value,
                         e.unit() == "deg"  ? "°"
                         : e.unit() == "um" ? " µm"
                                            : " mm");

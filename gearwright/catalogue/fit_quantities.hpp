@@ -30,8 +30,15 @@ const Quantities<FitView>& fit_quantities();
 
 // The quantities of `identify`: the gears that agree with the readings of an unknown gear.
 
-const Quantities<Identification>& identify_quantities();
+struct CandidateView : IdentifiedGear {
+  Value spec{};  ///< the whole spec with the data of this gear; none for an alternative
+};
+const Quantities<CandidateView>& candidate_quantities();
 
-const Quantities<IdentifiedGear>& identified_gear_quantities();
+struct IdentifyView {
+  Identification found;
+  std::vector<CandidateView> candidates{};
+};
+const Quantities<IdentifyView>& identify_quantities();
 
 }  // namespace gearwright

@@ -66,7 +66,7 @@ const char* series_word(const G& g) {
   return "";
 }
 
-void add_candidate(Quantities<G>& q) {
+void add_candidate(Quantities<CandidateView>& q) {
   q.term("teeth", "as given", &G::teeth);
   q.term("normal_module_mm",
          "module of the series, or computed from the base pitch if `module_series` is `none`",
@@ -100,9 +100,18 @@ void add_candidate(Quantities<G>& q) {
       .greater_first();
   q.flag("plausible", "plausible", "false if |x_E| > 1.5, because such gears do not occur",
          &G::plausible);
-  q.record<drawing_quantities>("drawing", "the values with which a drawing describes the gear");
-  q.record<uncertainty_quantities>("uncertainty",
-                                   "half widths of the 95 % intervals of the values");
+  const auto gear = [](const CandidateView& c) -> const G& { return c; };
+  q.record<drawing_quantities>("drawing", "the values with which a drawing describes the gear",
+                               gear);
+  q.record<uncertainty_quantities>("uncertainty", "half widths of the 95 % intervals of the values",
+                                   gear);
+  q.add(Type::map, "spec", "spec", "",
+        "the complete spec with this gear, which describes its teeth by the values of `drawing`; "
+        "absent for an alternative",
+        &CandidateView::spec)
+      .always()
+      .doors(kJson)
+      .when([](const CandidateView& c) { return !c.spec.nothing(); });
 }
 
 constexpr const char* kReadings[] = {
@@ -165,43 +174,43 @@ const Quantities<Alternative>& alternative_quantities() {
            [](const A& a) { return word_of(a.mistake); })
         .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
                  "center_distance", "span_teeth"});
-    q.record<identified_gear_quantities>("gear", "the gear", &A::gear);
+    q.record<candidate_quantities>("gear", "the gear",
+                                   [](const A& a) { return CandidateView{a.gear}; });
   });
 }
 
 }  // namespace
 
-const Quantities<IdentifiedGear>& identified_gear_quantities() {
+const Quantities<CandidateView>& candidate_quantities() {
   return define<add_candidate>("identify.candidate");
 }
 
-const Quantities<Identification>& identify_quantities() {
-  using I = Identification;
-  return define("identify", [](Quantities<I>& q) {
+const Quantities<IdentifyView>& identify_quantities() {
+  using V = IdentifyView;
+  return define("identify", [](Quantities<V>& q) {
     q.under("Candidate");
-    q.record<identified_gear_quantities>(
-        "candidates", "possible gears as tables that a spec can contain, the likeliest first",
-        &I::candidates);
+    q.record<candidate_quantities>("candidates", "possible gears, the likeliest first",
+                                   &V::candidates);
     q.under("Contradiction");
     q.record<contradiction_quantities>("contradiction",
                                        "reading that contradicts the others; the candidates are "
                                        "computed without this reading; null if the readings agree",
-                                       &I::contradiction);
+                                       [](const V& v) { return v.found.contradiction; });
     q.under("Next measurement");
     q.record<next_quantities>("next_measurement",
                               "measurement that distinguishes the candidates best; null if only "
                               "one candidate is left or no measurement distinguishes them",
-                              &I::next);
+                              [](const V& v) { return v.found.next; });
     q.under("Alternative");
     q.record<alternative_quantities>(
         "alternative",
         "a gear that agrees with all readings if one input is corrected; null if the readings "
         "agree "
         "with a standard gear, or if no single correction makes the readings agree",
-        &I::alternative);
+        [](const V& v) { return v.found.alternative; });
     q.text("reason",
            "reason why no candidate fits the readings; null if at least one candidate fits",
-           [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });
+           [](const V& v) { return v.found.reason.empty() ? Value() : Value(v.found.reason); });
   });
 }
 

@@ -108,10 +108,12 @@ TEST(ResultDocument, TablesAreTheCatalogues) {
   }
 }
 
-// Two codes have the text `contact_lost`: one for positions without contact, and one for undercut.
+// A result contains only the text of a code, so no two codes have the same text.
 TEST(ResultDocument, CodesAreTheWarnings) {
   std::string text = "| code | level | meaning |\n|---|---|---|\n";
+  std::set<std::string> codes;
   for (const WarningMeaning& m : warning_meanings()) {
+    EXPECT_TRUE(codes.insert(m.text).second) << m.text;
     EXPECT_FALSE(std::string(m.text).empty() || std::string(m.sentence).empty());
     EXPECT_EQ(std::string(m.reason).empty(), m.severity == Severity::note) << m.text;
     const char* const level = m.severity == Severity::problem   ? "red"
@@ -120,6 +122,13 @@ TEST(ResultDocument, CodesAreTheWarnings) {
     text += fmt::format("| `{}` | {} | {} |\n", m.text, level, cell(m.sentence));
   }
   expect_block(kDocument, "codes", "warning", text);
+}
+
+TEST(ResultDocument, CodesAreTheKindsOfErrors) {
+  std::string text = "| kind | meaning |\n|---|---|\n";
+  for (const FailureMeaning& m : failure_meanings())
+    text += fmt::format("| `{}` | {} |\n", m.text, cell(m.sentence));
+  expect_block(kDocument, "codes", "error", text);
 }
 
 TEST(ResultDocument, CausesAreTheCollisions) {

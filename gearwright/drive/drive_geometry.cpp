@@ -129,7 +129,8 @@ void make_drive_gear(const DriveGraph& graph, std::size_t g, std::optional<doubl
   auto teeth = how == Teeth::cut ? make_gear_with_default_cutter(spec) : make_gear(spec);
   made.gears[g].reset();
   if (!teeth) {
-    const bool of_half = gear.double_helical && teeth.error().field == "face_width";
+    const bool of_half =
+        gear.double_helical && subject_of(teeth.error().field).member == GearMember::face_width;
     made.faults.push_back(
         {Fault::Kind::no_gear,
          fmt::format(

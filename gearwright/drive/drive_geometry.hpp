@@ -24,6 +24,8 @@ namespace gearwright {
 struct GeometryFault {
   enum class Kind { not_coaxial, no_gear, no_pair } kind;
   std::string message;
+
+  bool operator==(const GeometryFault&) const = default;
 };
 
 struct DriveGeometry {

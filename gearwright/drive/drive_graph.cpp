@@ -94,9 +94,9 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
         mates_error({a.double_helical, b.double_helical}, {a.spec->face_width, b.spec->face_width});
     if (error) {
       const bool first = subject_of(error->field).gear == 1;
-      return wrong(fmt::format("the double-helical gears do not match: {}{} {}",
-                               first ? a.name : b.name, error->field.substr(error->field.find('.')),
-                               error->rule));
+      Error own = *error;
+      own.field.erase(0, own.field.find('.') + 1);
+      return of_drive_gear(first ? a : b, std::move(own));
     }
   }
   if (mesh.efficiency && !(*mesh.efficiency > 0.0 && *mesh.efficiency <= 1.0))
@@ -125,6 +125,10 @@ bool DriveGraph::moves(std::size_t body) const {
                      [body](const DriveGear& gear) { return gear.rack && gear.body == body; });
 }
 
+Error of_drive_gear(const DriveGear& gear, Error error) {
+  return within(fmt::format("drive.gear[\"{}\"]", gear.name), std::move(error));
+}
+
 std::optional<Error> check_graph(const DriveGraph& graph) {
   if (graph.bodies.empty() || graph.meshes.empty())
     return absent_input("drive.mesh",
@@ -139,11 +143,12 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
       return Error{"drive.gear", gear.name,
                    "is a rack on a planet, but the body of a rack must not have a carrier"};
     if (!gear.double_helical || !gear.spec) continue;
-    if (gear.double_helical->stagger_pitches != 0.0)
-      return Error{"drive.gear", gear.name,
-                   "has staggered halves, which are not supported in a drive"};
+    if (const double stagger = gear.double_helical->stagger_pitches; stagger != 0.0)
+      return of_drive_gear(
+          gear, refused("double_helical.stagger_pitches", stagger,
+                        "must be 0, because staggered halves are not supported in a drive"));
     if (auto error = half_error(*gear.double_helical, gear.spec->face_width))
-      return Error{"drive.gear", gear.name, "has a gap that " + error->rule};
+      return of_drive_gear(gear, std::move(*error));
   }
   for (const DriveMesh& mesh : graph.meshes)
     if (auto error = check_mesh(graph, mesh)) return error;

@@ -121,13 +121,18 @@ struct DriveGraph {
   bool moves(std::size_t body) const;
 };
 
+/// Returns the error of a member of a gear of the drive. Its field names the gear, for example
+/// `drive.gear["s1_gear1"].double_helical.gap`.
+Error of_drive_gear(const DriveGear& gear, Error error);
+
 /// Checks that the graph describes a possible drive.
 ///
 /// Errors    `drive.mesh`, for example if the planets of a mesh are on two carriers, or if a rack
 ///           does not mesh with an external gear in the housing; `drive.gear` if a gear has no
-///           teeth, if a planet has a rack, or if a double-helical gear has staggered halves or an
-///           impossible gap; `drive.body`, for example if a body is its own carrier; `drive.torque`
-///           if the torque and the speed of a single input have opposite signs
+///           teeth or a planet has a rack; those of of_drive_gear() if the halves of a
+///           double-helical gear are staggered or its gap is impossible; `drive.body`, for example
+///           if a body is its own carrier; `drive.torque` if the torque and the speed of a single
+///           input have opposite signs
 std::optional<Error> check_graph(const DriveGraph& graph);
 
 /// A planet with all its meshes, or several planets of one carrier that mesh with each other, with

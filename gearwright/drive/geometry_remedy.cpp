@@ -225,8 +225,7 @@ bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeo
   // because the fault of the mesh already explains it.
   if (!blamed.empty())
     std::erase_if(made.faults, [&](const GeometryFault& fault) {
-      return std::none_of(uncut->faults.begin(), uncut->faults.end(),
-                          [&](const GeometryFault& own) { return own.message == fault.message; });
+      return std::find(uncut->faults.begin(), uncut->faults.end(), fault) == uncut->faults.end();
     });
   for (const auto& [m, limit] : blamed) {
     const DriveMesh& mesh = thinned.meshes[m];

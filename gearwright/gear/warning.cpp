@@ -86,9 +86,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "an edge touches in more than 5 % of the samples (verb `scatter`)",
      "edges touch at many deviations within the tolerances",
      "Give crowning or end relief (computed by [scatter.robust]), or give narrower tolerances."},
-    {C::contact_lost_to_undercut, "contact_lost", kCaution,
-     "if the warning names a gear, the tip of its mating gear passes a part of the flank that "
-     "undercut has removed; the teeth do not collide, but contact ends earlier",
+    {C::contact_lost_to_undercut, "contact_lost_to_undercut", kCaution,
+     "the tip of the mating gear passes a part of the flank that undercut has removed; the teeth "
+     "do not collide, but contact ends earlier",
      "contact is lost where undercut has removed the flank"},
     {C::beyond_flank, "beyond_flank", kCaution,
      "other parts of the teeth touch before the flanks do; they are listed in the entry "

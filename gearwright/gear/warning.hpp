@@ -165,6 +165,8 @@ struct Warning {
   WarningCode code;
   std::string message;  ///< one or more sentences for the user
   int gear = 0;         ///< 1, 2, or 0 for the pair
+
+  bool operator==(const Warning&) const = default;
 };
 inline Severity severity_of(const Warning& warning) { return meaning_of(warning.code).severity; }
 

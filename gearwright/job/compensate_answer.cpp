@@ -32,7 +32,7 @@ bool gear2_drives(const JobSpec& spec) {
 }
 
 struct NamedErrors {
-  std::string name;
+  std::vector<ErrorValue> values;  // as in Scenario
   ContactErrors errors;
 };
 
@@ -46,11 +46,10 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
 // the units of their keys. All other errors are those of the spec.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
-  NamedErrors s{"", setup.place().errors};
+  NamedErrors s{{}, setup.place().errors};
   for (const std::size_t i : ranged) {
     s.errors = with_error(setup, s.errors, i, value[i]);
-    s.name +=
-        fmt::format("{}{} = {}", s.name.empty() ? "" : ", ", error_entries()[i].key, value[i]);
+    s.values.push_back({i, value[i]});
   }
   return s;
 }
@@ -65,7 +64,7 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
 // Returns a list of scenarios. The first has the errors of the spec. One scenario for each corner
 // of the range follows.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
-  std::vector<NamedErrors> list{{"as given", setup.place().errors}};
+  std::vector<NamedErrors> list{{{}, setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);
   if (ranged.empty()) return list;
   for (std::size_t corner = 0; corner < (1u << ranged.size()); ++corner) {
@@ -215,10 +214,8 @@ std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup
 }
 
 void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
-  const auto contact_lost = [](const Warning& w) {
-    return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
-  };
-  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
+  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
+  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
     job.warnings.push_back(
         {WarningCode::contact_lost,
          "Contact is lost at some positions, and no correction in the searched range restores "
@@ -282,8 +279,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   const Compensation result = compensated(job, setup, task, *corrections, gear2_drives, scenarios);
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     if (result.each_after[i].nothing_touches())
-      return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);
-    answer.scenarios.push_back({scenarios[i].name, result.each_before[i], result.each_after[i]});
+      return nothing_touches_under(setup, errors_text(scenarios[i].values), scenarios[i].errors);
+    answer.scenarios.push_back({scenarios[i].values, result.each_before[i], result.each_after[i]});
   }
   answer.before = result.before;
   answer.after = result.after;

@@ -118,11 +118,9 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
   result["warnings"] = warnings_json(job.drive.findings);
   result["verdict"] = verdict_json(job.verdict);
   result["files"] = files_json(files);
-  const std::string text = json_text(in_units(job.spec.units(), result), 2) + "\n";
   if (options.wants("result"))
-    files.insert(files.begin(),
-                 {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
-  return RunFiles{std::move(files), text, job.verdict};
+    files.insert(files.begin(), result_file(folder, job.spec.units(), result));
+  return RunFiles{std::move(files), std::move(result), job.verdict};
 }
 
 Result<RunFiles> write_drive_files(const DriveJob& job, const fs::path& folder,

@@ -47,8 +47,7 @@ std::optional<Error> find_halves(Drive& drive) {
     const auto& gear = drive.geometry.gears[g];
     if (!named.double_helical || !gear) continue;
     const auto halves = halves_of(*gear, *named.double_helical);
-    if (!halves)
-      return Error{"drive.gear", named.name, halves.error().field + " " + halves.error().rule};
+    if (!halves) return of_drive_gear(named, halves.error());
     if (auto warning = run_out_warning(*halves, 0)) {
       warning->message = named.name + ": " + warning->message;
       drive.findings.push_back(std::move(*warning));

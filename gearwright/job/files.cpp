@@ -237,6 +237,11 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   return plain ? std::move(plain) : std::move(made);
 }
 
+JobFile result_file(const fs::path& folder, UnitSystem units, const Json& result) {
+  return {folder / "result.json", "result", std::nullopt, "all numbers, as JSON",
+          json_text(in_units(units, result), 2) + "\n"};
+}
+
 void write_files(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) write_file(f.path, f.bytes);
 }
@@ -353,17 +358,18 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   }
   std::move(files.begin(), files.end(), std::back_inserter(all));
   Json result = job_json(job, report.verdict);
-  if (*contact) result["contact"] = to_json(contact_quantities().of(contact.value()->answer));
-  if (*load) result["load"] = to_json(load_quantities().of(load.value()->answer));
-  if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
+  const auto add = [&](const auto& analysis, const auto& found) {
+    result[analysis.table().name] = to_json(analysis.record(job, found));
+  };
+  if (*contact) add(kContactAnalysis, contact.value()->answer);
+  if (*load) add(kLoadAnalysis, load.value()->answer);
+  if (*compensation) add(kCompensateAnalysis, **compensation);
   if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
-  if (rated) result["rating"] = to_json(rating_quantities().of(*rated));
+  if (rated) add(kRatingAnalysis, *rated);
   result["files"] = files_json(all);
-  const std::string text = json_text(in_units(job.spec.units(), result), 2) + "\n";
   if (options.wants("result"))
-    all.insert(all.begin(),
-               {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
-  return RunFiles{std::move(all), text, std::move(report.verdict)};
+    all.insert(all.begin(), result_file(folder, job.spec.units(), result));
+  return RunFiles{std::move(all), std::move(result), std::move(report.verdict)};
 }
 
 Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,

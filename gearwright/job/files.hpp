@@ -17,6 +17,7 @@
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -95,6 +96,9 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
 
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 
+/// Makes result.json of a record, in these units.
+JobFile result_file(const std::filesystem::path& folder, UnitSystem units, const Json& result);
+
 /// Writes the files, each completely or not at all.
 ///
 /// Throws    IoError
@@ -109,7 +113,7 @@ void write_run_into(const std::filesystem::path& folder, const std::vector<JobFi
 
 struct RunFiles {
   std::vector<JobFile> files;
-  std::string result;  ///< result.json, even if it is not written
+  Json result;  ///< the record in result.json, even if it is not written
   Verdict verdict;
 };
 

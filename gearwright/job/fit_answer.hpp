@@ -44,9 +44,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nul
 
 // The verb `identify` computes the gears that agree with the readings of an unknown gear.
 
-struct IdentifyAnswer {
-  int gear;  ///< 1 or 2, the gear with the readings
-  Identification found;
+struct IdentifyAnswer : IdentifyView {
   std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
   /// For each candidate, a list of sentences. The first sentence contains the number and the
   /// likelihood of the candidate. Further sentences describe, for example, data of the gear that

@@ -237,9 +237,10 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   if (spec.units() == UnitSystem::inch) in_unit.other_unit = 1 / kMmPerInch;
   auto found = identify(in_unit);
   if (!found) return of_gear(which, found.error());
-  IdentifyAnswer answer{which, std::move(found).take(), {}, {}, unused_readings(spec)};
+  IdentifyAnswer answer{{std::move(found).take()}, {}, {}, unused_readings(spec)};
   for (const IdentifiedGear& g : answer.found.candidates) {
     answer.specs.push_back(spec_of(spec, which, g));
+    answer.candidates.push_back({g, to_value(answer.specs.back())});
     answer.notes.push_back({fmt::format("Candidate {} of the readings, likelihood {:.2f} %.",
                                         answer.notes.size() + 1, 100 * g.likelihood)});
     for (std::string& fact : open_facts(*problem, g, answer.specs.back()[gear_field(which)]))
@@ -249,7 +250,7 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
 }
 
 Json identify_json(const IdentifyAnswer& answer) {
-  return {{"identify", to_json(identify_quantities().of(answer.found))}};
+  return {{"identify", to_json(identify_quantities().of(answer))}};
 }
 
 std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {

@@ -114,10 +114,6 @@ std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
 
 }  // namespace
 
-Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
-  return titled_record(job.spec, "load", load_quantities().of(answer));
-}
-
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   const UnitSystem units = job.spec.units();
   std::string out = title_listing(job.spec);
@@ -192,37 +188,40 @@ LoadScene scene_of(const SolvedJob& job, const LoadedContact& contact,
 
 }  // namespace
 
+Result<LoadPart> load_with_scene(SolvedJob& job, Progress* progress) {
+  auto made = answer_load(job, progress);
+  if (!made) return made.error();
+  LoadPart part{std::move(made).take(), std::nullopt};
+  if (!part.answer.contact) return part;
+  const auto pitch = over_a_pitch(job, part.answer, progress);
+  if (!pitch) return pitch.error();
+  const std::vector<LoadStandard>& standard = part.answer.standard;
+  part.report = scene_of(job, *pitch->contact, standard);
+  for (const LoadAnalysis& half : pitch->halves)
+    part.report->halves.push_back(scene_of(job, *half.contact, standard));
+  if (pitch->halves.size() > 1) part.report->halves[1].part = "-2";
+  if (job.halves[0] && equal_halves(*job.halves[0], errors_of(job), job.spec.load))
+    part.report->halves.resize(1);
+  return part;
+}
+
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   const LoadInput& input = job.spec.load;
   if (input.torques.empty() && input.probes.empty()) return std::optional<LoadPart>();
-  auto made = answer_load(job, progress);
-  if (!made) {
-    const bool alone = !job.spec.has(2) && !input.torques.empty();
-    const bool apart = without_contact(made.error());
-    const bool unsupported = made.error().kind == FailureKind::not_under_load;
-    if (!alone && !apart && !unsupported) return made.error();
-    const WarningCode code = apart ? WarningCode::no_contact : WarningCode::no_load;
-    const auto is_listed = [&](const Warning& w) { return w.code == code; };
-    if (std::any_of(job.warnings.begin(), job.warnings.end(), is_listed))
-      return std::optional<LoadPart>();
-    const Error why = spelled(made.error(), job.spec.given);
-    job.warnings.push_back(
-        {code, "The analysis under load cannot be computed: " + why.message() + ".", 0});
+  auto made = load_with_scene(job, progress);
+  if (made) return std::optional(std::move(made).take());
+  const bool alone = !job.spec.has(2) && !input.torques.empty();
+  const bool apart = without_contact(made.error());
+  const bool unsupported = made.error().kind == FailureKind::not_under_load;
+  if (!alone && !apart && !unsupported) return made.error();
+  const WarningCode code = apart ? WarningCode::no_contact : WarningCode::no_load;
+  const auto is_listed = [&](const Warning& w) { return w.code == code; };
+  if (std::any_of(job.warnings.begin(), job.warnings.end(), is_listed))
     return std::optional<LoadPart>();
-  }
-  LoadPart part{std::move(made).take(), std::nullopt};
-  if (part.answer.contact) {
-    const auto pitch = over_a_pitch(job, part.answer, progress);
-    if (!pitch) return pitch.error();
-    const std::vector<LoadStandard>& standard = part.answer.standard;
-    part.report = scene_of(job, *pitch->contact, standard);
-    for (const LoadAnalysis& half : pitch->halves)
-      part.report->halves.push_back(scene_of(job, *half.contact, standard));
-    if (pitch->halves.size() > 1) part.report->halves[1].part = "-2";
-    if (job.halves[0] && equal_halves(*job.halves[0], errors_of(job), input))
-      part.report->halves.resize(1);
-  }
-  return std::optional(std::move(part));
+  const Error why = spelled(made.error(), job.spec.given);
+  job.warnings.push_back(
+      {code, "The analysis under load cannot be computed: " + why.message() + ".", 0});
+  return std::optional<LoadPart>();
 }
 
 }  // namespace gearwright

@@ -41,6 +41,11 @@ struct LoadPart {
   std::optional<LoadScene> report;  ///< none if [load] requests only probes
 };
 
+/// Computes the result of `load` and its scene.
+///
+/// Errors    the errors of answer_load
+Result<LoadPart> load_with_scene(SolvedJob& job, Progress* progress = nullptr);
+
 /// Returns the load part, or none if [load] requests neither torques nor probes. There is also no
 /// load part if torques are given for a single gear, if the gears have no contact, or if the
 /// contact under load cannot be computed for such gears. In these three cases, the job has a

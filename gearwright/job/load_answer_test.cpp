@@ -5,9 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/job/analysis.hpp"
 #include "gearwright/job/judgement.hpp"
-#include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 namespace {
@@ -135,7 +134,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_NE(warning->message.find("-3.21429°"), std::string::npos) << warning->message;
   const Verdict verdict = judge(job);
   EXPECT_EQ(verdict.level, Level::red);
-  const auto json = load_json(job, answer);
+  const auto json = titled_record(kLoadAnalysis, job, answer);
   const auto& position = json["load"]["torques"][0]["positions"][3];
   for (const char* key : {"transmission_error_arcsec", "approach_um", "max_pressure_MPa", "kind"})
     EXPECT_TRUE(position[key].is_null() || !std::isfinite(position[key].get<double>())) << key;
@@ -146,6 +145,40 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   const auto error = judge_load(task, *answer.contact, job.warnings);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->field, "load.torques");
+}
+
+// `run` has a warning for such a pair. The page needs the error itself, whose key has a field.
+TEST(LoadAnswer, HalvesThatDoNotTouchAreAnErrorOfTheirKey) {
+  SolvedJob job = loaded_job(R"(
+[gear1]
+teeth = 20
+normal_module_mm = 2
+helix_angle_deg = 25
+profile_shift = 0
+face_width_mm = 50
+double_helical = { gap_mm = 10 }
+[gear2]
+teeth = 40
+profile_shift = 0
+double_helical = { gap_mm = 10 }
+[pair]
+center_distance_mm = 75
+[load]
+torque_Nm = 50
+accuracy = "draft"
+positions = 4
+slices = 8
+)");
+  const std::size_t before = job.warnings.size();
+  const auto made = load_with_scene(job);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().kind, FailureKind::nothing_touches);
+  EXPECT_EQ(made.error().field, "pair.center_distance");
+  EXPECT_EQ(job.warnings.size(), before);
+  const auto part = load_part(job);
+  ASSERT_TRUE(part);
+  EXPECT_FALSE(*part);
+  EXPECT_EQ(job.warnings.back().code, WarningCode::no_contact);
 }
 
 // If the stiffness differs from the standard, the message gives the reasons, for example an error

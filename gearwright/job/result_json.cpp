@@ -85,7 +85,11 @@ Json files_json(const std::vector<JobFile>& files) {
 }
 
 Json error_json(const Error& error) {
-  return {{"error", {{"key", error.field}, {"value", error.value}, {"message", error.message()}}}};
+  return {{"error",
+           {{"key", error.field},
+            {"value", error.value},
+            {"message", error.message()},
+            {"kind", to_string(error.kind)}}}};
 }
 
 namespace {

@@ -16,16 +16,12 @@
 
 namespace gearwright {
 
-struct LoadAnalysis;
-
 Json warnings_json(const std::vector<Warning>& warnings);
 /// Returns a record that begins with `title`, if the spec has a title.
 Json titled_record(const JobSpec& spec);
 /// Returns a record that begins with `title`, if the spec has a title, and contains the result
 /// under `key`.
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
-/// Returns a record with the title and, under the key `load`, the result of the verb `load`.
-Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 /// Returns the quantities of the pair, or of the pinion with its rack.
 ///
 /// Domain    job.mounted() (contract)

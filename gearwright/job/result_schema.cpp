@@ -127,15 +127,18 @@ Json study_schema(Schema& schema) {
 
 Json error_schema() {
   const Json text{{"type", "string"}};
+  Json kinds = Json::array();
+  for (const FailureMeaning& meaning : failure_meanings()) kinds.push_back(meaning.text);
   return {{"type", "object"},
           {"properties",
            {{"key", text},
             {"value", text},
             {"message", text},
+            {"kind", {{"enum", kinds}}},
             {"file", text},
             {"line", {{"type", "integer"}}},
             {"column", {{"type", "integer"}}}}},
-          {"required", {"key", "value", "message"}},
+          {"required", {"key", "value", "message", "kind"}},
           {"additionalProperties", false}};
 }
 

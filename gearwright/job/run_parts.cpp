@@ -36,15 +36,15 @@ void note_editions(SolvedJob& job, const Rating& rating) {
 
 }  // namespace
 
-Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
-  if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
-  auto answer = answer_compensate(job, progress);
-  if (answer) return std::optional<CompensateView>(*answer);
+Result<std::optional<CompensateAnswer>> compensation_part(SolvedJob& job, Progress* progress) {
+  if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateAnswer>();
+  auto answer = kCompensateAnalysis.find(job, progress);
+  if (answer) return std::optional(std::move(answer).take());
   const FailureKind kind = answer.error().kind;
   const auto none = [&](const std::string& why) {
     job.warnings.push_back(
         {WarningCode::no_corrections, "Corrections cannot be computed: " + why + ".", 0});
-    return std::optional<CompensateView>();
+    return std::optional<CompensateAnswer>();
   };
   if (kind == FailureKind::not_under_load)
     return none(spelled(answer.error(), job.spec.given).message());
@@ -55,12 +55,12 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
     job.warnings.push_back(
         {WarningCode::no_contact, "Corrections cannot be computed: " + why.message() + ".", 0});
   }
-  return std::optional<CompensateView>();
+  return std::optional<CompensateAnswer>();
 }
 
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
-  auto answer = answer_scatter(job, progress);
+  auto answer = kScatterAnalysis.find(job, progress);
   if (answer) return std::optional(std::move(answer).take());
   if (without_contact(answer.error())) return std::optional<ScatterAnswer>();
   return answer.error();
@@ -68,7 +68,7 @@ Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* prog
 
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
-  auto answer = answer_rating(job, progress);
+  auto answer = kRatingAnalysis.find(job, progress);
   if (!answer) {
     const RatingTable& rating = job.spec.rating;
     const FailureKind kind = answer.error().kind;

@@ -5,9 +5,7 @@
 
 #include <optional>
 
-#include "gearwright/job/compensate_answer.hpp"
-#include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/scatter_answer.hpp"
+#include "gearwright/job/analysis.hpp"
 
 namespace gearwright {
 

@@ -79,7 +79,6 @@ Error of_scatter(const ScatterTask& task, Error error);
 
 /// Returns a view of `answer`. `answer` must outlive the view.
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);
-Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
 /// Makes a row for each sample, with its inputs and then its results.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);

@@ -139,10 +139,6 @@ ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& a) {
   return view;
 }
 
-Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
-  return titled_record(job.spec, "scatter", scatter_quantities().of(scatter_view(job, a)));
-}
-
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   std::string out = title_listing(job.spec);
   for (const TextTable& table : scatter_tables(scatter_view(job, a), job.spec.units()))

@@ -107,29 +107,29 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
 // Returns sentences for the terminal and the page. They describe the rating, the default values,
 // unused tables and the results under load. If no design is feasible, they also describe changes
 // that make designs feasible.
-std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
-                                    UnitSystem units) {
-  std::vector<std::string> lines;
+std::vector<SearchReason> reasons_of(const SearchProblem& problem, const SearchRun& run,
+                                     UnitSystem units) {
+  std::vector<SearchReason> lines;
   if (problem.rating)
-    lines.push_back(sentence_in(units, "Designs are " + rating_line(problem) + "."));
-  if (run.default_face_load) lines.push_back(face_load_line(run));
-  if (problem.default_helix_deg) lines.push_back(default_helix_line(problem));
-  if (problem.rating_unused) lines.emplace_back(kRatingUnused);
-  if (run.pair_not_read) lines.emplace_back(kPairNotRead);
+    lines.push_back({sentence_in(units, "Designs are " + rating_line(problem) + ".")});
+  if (run.default_face_load) lines.push_back({face_load_line(run)});
+  if (problem.default_helix_deg) lines.push_back({default_helix_line(problem)});
+  if (problem.rating_unused) lines.push_back({std::string(kRatingUnused)});
+  if (run.pair_not_read) lines.push_back({std::string(kPairNotRead)});
   if (problem.draw)
-    lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
-  if (!run.answer.loaded.empty()) lines.push_back(loaded_line(problem, run.answer));
-  for (const std::string& line : load_failures(run.answer)) lines.push_back(line);
+    lines.push_back({sentence_in(units, "Designs are " + drawing_line(problem) + ".")});
+  if (!run.answer.loaded.empty()) lines.push_back({loaded_line(problem, run.answer)});
+  for (const std::string& line : load_failures(run.answer)) lines.push_back({line});
   if (run.answer.counts.feasible > 0) return lines;
-  if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
+  if (run.safest) lines.push_back({safest_line(*run.safest) + "."});
   if (!run.changes.empty())
-    lines.emplace_back(
-        "No design is feasible. Each of these changes alone would make designs feasible:");
-  for (const std::string& line : change_lines(run, units)) lines.push_back("  " + line);
+    lines.push_back(
+        {"No design is feasible. Each of these changes alone would make designs feasible:"});
+  for (const std::string& line : change_lines(run, units)) lines.push_back({"  " + line, true});
   if (!run.changes_left_out.empty()) {
-    lines.push_back(capitalised(run.changes_left_out) + ".");
+    lines.push_back({capitalised(run.changes_left_out) + "."});
   } else if (run.changes.empty()) {
-    lines.push_back(no_change_helps(run, units));
+    lines.push_back({no_change_helps(run, units)});
   }
   return lines;
 }
@@ -316,8 +316,8 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
-  for (const std::string& line : reasons_of(p, run, units))
-    text += line.starts_with(' ') ? line + "\n" : wrapped(line);  // a change stays on one line
+  for (const auto& [line, is_change] : reasons_of(p, run, units))
+    text += is_change ? line + "\n" : wrapped(line);  // a change stays on one line
   if (a.counts.feasible == 0) return text;
   ListingColumn ranks;
   ListingColumn places{"profile shifts", "profile shifts", "", {}, true};

@@ -11,33 +11,25 @@
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/compensate_answer.hpp"
-#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/analysis.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
-#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/propose_answer.hpp"
-#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_rows.hpp"
-#include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
 namespace {
 
-// The functions of a verb that run after the gears and the pair have been solved. They compute the
-// result, judge it and write it.
+// A verb that runs after the gears and the pair have been solved.
 template <class Found>
 struct Solving {
-  Scope scope;
-  Result<Found> (*find)(SolvedJob&, Progress*);
-  Verdict (*judge)(const SolvedJob&, const Found&);
-  Json (*record)(const SolvedJob&, const Found&);
+  Analysis<Found> analysis;
+  Json (*record)(const SolvedJob&, const Found&) = nullptr;  // instead of the quantities alone
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
@@ -52,15 +44,16 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
     SolvedJob job;
     Found found;
   };
-  auto solved = how.rack ? solve_any(spec, how.scope) : solve(spec, how.scope);
+  const Analysis<Found>& analysis = how.analysis;
+  auto solved = how.rack ? solve_any(spec, analysis.scope) : solve(spec, analysis.scope);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
-  auto found = how.find(job, progress);
+  auto found = analysis.find(job, progress);
   if (!found) return found.error();
   Answer answer;
-  answer.record = how.record(job, *found);
+  answer.record = how.record ? how.record(job, *found) : titled_record(analysis, job, *found);
   answer.warnings = job.warnings;
-  answer.verdict = how.judge(job, *found);
+  answer.verdict = analysis.judge(job, *found);
   if (how.specs != nullptr) answer.specs = how.specs(*found);
   if (how.notes != nullptr) answer.notes = how.notes(*found);
   const auto state = std::make_shared<const State>(State{std::move(job), std::move(found).take()});
@@ -70,12 +63,6 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   if (how.rows != nullptr)
     answer.rows = [state, form = how.rows](UnitSystem units) { return form(state->found, units); };
   return answer;
-}
-
-// Returns the title of the spec, and the quantities of an answer under the name of their table.
-template <const auto& (*quantities)(), class Found>
-Json record_of(const SolvedJob& job, const Found& found) {
-  return titled_record(job.spec, quantities().table().name.c_str(), quantities().of(found));
 }
 
 template <const auto& (*quantities)(), class Found>
@@ -90,9 +77,11 @@ Json table_rows(const Found& found, UnitSystem units) {
 // The result of verbs that need only the gears and the pair. It is empty.
 struct AsSolved {};
 
-Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
-
-Verdict judge_as_solved(const SolvedJob& job, const AsSolved&) { return judge(job); }
+constexpr Analysis<AsSolved> as_solved(Scope scope) {
+  return {.scope = scope,
+          .find = [](SolvedJob&, Progress*) { return Result<AsSolved>(AsSolved{}); },
+          .judge = [](const SolvedJob& job, const AsSolved&) { return judge(job); }};
+}
 
 Json solved_record(const SolvedJob& job, const AsSolved&) { return job_record(job); }
 
@@ -100,9 +89,7 @@ std::string solved_csv(const SolvedJob& job, const AsSolved&) { return quantitie
 
 Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
   return solved_answer<AsSolved>(
-      {.scope = Scope::pair,
-       .find = nothing_more,
-       .judge = judge_as_solved,
+      {.analysis = as_solved(Scope::pair),
        .record = solved_record,
        .listing = [](const SolvedJob& job,
                      const AsSolved&) { return gear_listing(job) + pair_listing(job); },
@@ -114,9 +101,7 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
 Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
   if (spec.rack) return run_pair(spec, progress);
   return solved_answer<AsSolved>(
-      {.scope = Scope::gears,
-       .find = nothing_more,
-       .judge = judge_as_solved,
+      {.analysis = as_solved(Scope::gears),
        .record = solved_record,
        .listing = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
        .csv = solved_csv},
@@ -127,9 +112,9 @@ using Measures = std::vector<GearMeasures>;
 
 Result<Answer> run_measure(const JobSpec& spec, Progress* progress) {
   return solved_answer<Measures>(
-      {.scope = Scope::gears,
-       .find = [](SolvedJob& job, Progress*) { return measure_gears(job); },
-       .judge = [](const SolvedJob& job, const Measures&) { return judge(job); },
+      {.analysis = {.scope = Scope::gears,
+                    .find = [](SolvedJob& job, Progress*) { return measure_gears(job); },
+                    .judge = [](const SolvedJob& job, const Measures&) { return judge(job); }},
        .record = measures_record,
        .listing = measure_listing,
        .csv = measure_csv},
@@ -137,25 +122,17 @@ Result<Answer> run_measure(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
-  return solved_answer<ContactAnswer>(
-      {.scope = Scope::pair,
-       .find = answer_contact,
-       .judge = [](const SolvedJob& job,
-                   const ContactAnswer& a) { return judge(job, {.contact = &a.judged()}); },
-       .record = record_of<contact_quantities, ContactAnswer>,
-       .listing = contact_listing,
-       .csv = contact_csv,
-       .rows = table_rows<contact_quantities, ContactAnswer>,
-       .rack = true},
-      spec, progress);
+  return solved_answer<ContactAnswer>({.analysis = kContactAnalysis,
+                                       .listing = contact_listing,
+                                       .csv = contact_csv,
+                                       .rows = table_rows<contact_quantities, ContactAnswer>,
+                                       .rack = true},
+                                      spec, progress);
 }
 
 Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
   return solved_answer<CompensateAnswer>(
-      {.scope = Scope::pair,
-       .find = [](SolvedJob& job, Progress* h) { return answer_compensate(job, h); },
-       .judge = [](const SolvedJob&, const CompensateAnswer& a) { return a.verdict; },
-       .record = record_of<compensate_quantities, CompensateAnswer>,
+      {.analysis = kCompensateAnalysis,
        .listing = compensate_listing,
        .specs = [](const CompensateAnswer& a) { return std::vector{a.corrected->tables}; }},
       spec, progress);
@@ -163,10 +140,7 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
 
 Result<Answer> run_propose(const JobSpec& spec, Progress* progress) {
   return solved_answer<ProposeAnswer>(
-      {.scope = Scope::pair,
-       .find = answer_propose,
-       .judge = [](const SolvedJob&, const ProposeAnswer& a) { return a.verdict; },
-       .record = record_of<propose_quantities, ProposeAnswer>,
+      {.analysis = kProposeAnalysis,
        .listing = propose_listing,
        .csv = [](const SolvedJob& job, const ProposeAnswer& a) { return propose_csv(job, a); },
        .specs = [](const ProposeAnswer& a) { return a.specs; },
@@ -176,10 +150,7 @@ Result<Answer> run_propose(const JobSpec& spec, Progress* progress) {
 
 Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
   auto answer = solved_answer<ScatterAnswer>(
-      {.scope = Scope::pair,
-       .find = [](SolvedJob& job, Progress* h) { return answer_scatter(job, h); },
-       .judge = [](const SolvedJob& job, const ScatterAnswer&) { return judge(job); },
-       .record = scatter_json,
+      {.analysis = kScatterAnalysis,
        .listing = scatter_listing,
        .csv = scatter_csv,
        .specs =
@@ -198,14 +169,7 @@ Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
 
 Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
   return solved_answer<LoadAnalysis>(
-      {.scope = Scope::everything,
-       .find = answer_load,
-       .judge = [](const SolvedJob& job,
-                   const LoadAnalysis&) { return judge(job, {.load = true}); },
-       .record = load_json,
-       .listing = load_listing,
-       .csv = load_csv},
-      spec, progress);
+      {.analysis = kLoadAnalysis, .listing = load_listing, .csv = load_csv}, spec, progress);
 }
 
 // Returns a function that gives the source of a quantity of a rating. The source is the clause of
@@ -235,16 +199,11 @@ Json rating_rows(const RatingAnswer& answer, UnitSystem units) {
 
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
   if (spec.drive) return answer_drive_rating(spec, progress);
-  return solved_answer<RatingAnswer>(
-      {.scope = Scope::pair,
-       .find = answer_rating,
-       .judge = [](const SolvedJob& job,
-                   const RatingAnswer& a) { return judge(job, {.rating = &a}); },
-       .record = record_of<rating_quantities, RatingAnswer>,
-       .listing = rating_listing,
-       .csv = rating_csv,
-       .rows = rating_rows},
-      spec, progress);
+  return solved_answer<RatingAnswer>({.analysis = kRatingAnalysis,
+                                      .listing = rating_listing,
+                                      .csv = rating_csv,
+                                      .rows = rating_rows},
+                                     spec, progress);
 }
 
 // Returns the answer of a verb that completes an incomplete spec. Answer::specs contains the
@@ -286,11 +245,6 @@ Result<Answer> run_drive(const JobSpec& spec, Progress* progress) {
 
 using Take = Verb::Take;
 
-template <const auto& (*quantities)()>
-const QuantityTable& table_of() {
-  return quantities().table();
-}
-
 constexpr Verb kVerbs[] = {
     {"gear", "Geometry of each gear: diameters, tooth thicknesses, limits",
      "gearwright gear examples/helical_pair.toml --json", SpecUse::geometry, true, true, false,
@@ -302,52 +256,52 @@ constexpr Verb kVerbs[] = {
      "Tooth contact under [errors] of the spec: transmission error, contact points, edges, "
      "ellipses",
      "gearwright contact examples/misaligned_pair.toml", SpecUse::pair, true, true, true,
-     Take::none, "", run_contact, "contact", table_of<contact_quantities>},
+     Take::none, "", run_contact, "contact", quantities_table<contact_quantities>},
     {"compensate",
      "Corrections of tool settings, leads and flanks that compensate [errors] of the spec",
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print only the corrected spec", run_compensate, "compensate",
-     table_of<compensate_quantities>},
+     quantities_table<compensate_quantities>},
     {"propose",
      "Tip and root relief, helix crowning and slope for the load, and the effect of each proposal",
      "gearwright propose examples/quiet_pair.toml", SpecUse::propose, true, true, true,
      Take::number,
      "Print only the spec of the proposal with this number; proposal 1 is the spec as given",
-     run_propose, "propose", table_of<propose_quantities>},
+     run_propose, "propose", quantities_table<propose_quantities>},
     {"scatter",
      "Effect of tolerances on the pair: percentiles, probabilities, influence of each tolerance, "
      "worst case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
      Take::flag, "Print only the spec with the corrections of [scatter.robust]", run_scatter,
-     "scatter", table_of<scatter_quantities>},
+     "scatter", quantities_table<scatter_quantities>},
     {"load",
      "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
      "stress",
      "gearwright load examples/loaded_pair.toml", SpecUse::load, true, true, true, Take::none, "",
-     run_load, "load", table_of<load_quantities>},
+     run_load, "load", quantities_table<load_quantities>},
     {"rate",
      "Strength by ISO 6336: every factor with its clause of the standard, stresses, safeties",
      "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, false, Take::none, "",
-     run_rate, "rating", table_of<rating_quantities>},
+     run_rate, "rating", quantities_table<rating_quantities>},
     {"drive",
      "Whole drives (planetary sets and trains): ratios, power, assembly, phases, backlash, "
      "transmission error",
      "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
      Take::number,
      "Print only the spec of the mesh with this number as a pair; 1 is the first mesh", run_drive,
-     "drive", table_of<drive_quantities>},
+     "drive", quantities_table<drive_quantities>},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, true, true, false,
      Take::none, "", run_measure},
     {"identify", "The gears that match the readings of an unknown gear, the likeliest first",
      "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, false,
      Take::number, "Print only the spec of the candidate with this number", run_identify,
-     "identify", table_of<identify_quantities>},
+     "identify", quantities_table<identify_quantities>},
     {"fit",
      "Computation of absent values: gears for given shafts, or shaft positions for given gears",
      "gearwright fit examples/crossed_fit.toml", SpecUse::geometry, false, false, true,
      Take::number, "Print only the spec of the branch with this number", run_fit, "fit",
-     table_of<fit_quantities>},
+     quantities_table<fit_quantities>},
 };
 
 Json with_verdict(Json json, const Answer& answer) {
@@ -419,8 +373,9 @@ Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* p
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& text, SpecUse use) {
   using enum BatchLine::Outcome;
-  const auto failure = [](const Error& error, BatchLine::Outcome outcome = failed) {
-    return BatchLine{json_text(error_json(error)), outcome};
+  const auto failure = [](const Error& error) {
+    return BatchLine{json_text(error_json(error)),
+                     error.kind == FailureKind::defect ? violated : failed};
   };
   if (text.size() > kMaxSpec) {
     return failure({"", "",
@@ -433,9 +388,9 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
     const auto json = answer(*spec);
     return json ? BatchLine{json_text(*json)} : failure(spelled(json.error(), spec->given));
   } catch (const IoError& e) {  // a file named in the spec
-    return failure({"", "", e.what()});
+    return failure({"", "", e.what(), FailureKind::file});
   } catch (const ContractViolation& e) {
-    return failure({"", "", e.what()}, violated);
+    return failure({"", "", e.what(), FailureKind::defect});
   }
 }
 

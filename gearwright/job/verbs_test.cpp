@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/catalogue/testing/document_blocks.hpp"
 
 #ifndef GEARWRIGHT_STOP_AT_VIOLATIONS
 namespace gearwright {
@@ -42,6 +43,7 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
       }
       EXPECT_EQ(answer["error"]["key"], "");
       EXPECT_EQ(answer["error"]["value"], "");
+      EXPECT_EQ(answer["error"]["kind"], "defect");
       const std::string message = answer["error"]["message"];
       for (const char* words : {"teeth % 2 == 0", "verbs_test.cpp:", "please report it"})
         EXPECT_NE(message.find(words), std::string::npos) << message;
@@ -59,7 +61,7 @@ TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   EXPECT_EQ(line(21), BatchLine::Outcome::violated);
   const BatchLine refused = batch_line(computed, "{}");
   EXPECT_EQ(refused.outcome, BatchLine::Outcome::failed);
-  EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
+  EXPECT_EQ(Json::parse(refused.text)["error"]["kind"], "missing") << refused.text;
 }
 
 TEST(Verbs, are_found_by_their_names) {
@@ -70,6 +72,18 @@ TEST(Verbs, are_found_by_their_names) {
   }
   EXPECT_EQ(find_verb("run"), nullptr);  // writes files
   EXPECT_EQ(find_verb(""), nullptr);
+}
+
+// The engine has the verbs of the table, and a search.
+TEST(VerbDocument, TheTypeOfTheEngineIsTheTable) {
+  constexpr const char* kTypes = "apps/web/engine/engine.d.ts";
+  std::string made = "export type Verb =";
+  for (const Verb& verb : verbs()) made += fmt::format(" \"{}\" |", verb.name);
+  made += " \"search\";\n";
+  std::string text = document(kTypes);
+  const std::size_t from = text.find("export type Verb =");
+  ASSERT_NE(from, std::string::npos);
+  expect_document(kTypes, text.replace(from, text.find('\n', from) + 1 - from, made));
 }
 
 TEST(Verbs, answer_in_the_forms_that_their_rows_promise) {

@@ -94,34 +94,44 @@ Result<CaseOutcome> run_case(const Json& c) {
   return outcome;
 }
 
+Error unreadable(const std::string& why) {
+  return {"", "", "the case file cannot be read: " + why};
+}
+
+Error unreadable(const nlohmann::json::exception& e) {
+  const std::string what = e.what();  // "[json.exception.parse_error.101] parse error at line …"
+  const std::size_t at = what.find("] ");
+  return unreadable(printable(at == std::string::npos ? what : what.substr(at + 2), 200));
+}
+
 }  // namespace
 
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
   constexpr int kDeepest = 64;  // greatest depth of nesting; a real case has ten levels
-  const auto unreadable = [](const std::string& why) {
-    return Error{"", "", "the case file cannot be read: " + why};
-  };
   if (json_depth(json_text) > kDeepest)
     return unreadable(fmt::format("the file has more than {} nested levels", kDeepest));
   try {
-    const Json file = parse_json(json_text);
-    if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||
-        file["cases"].empty()) {
-      return Error{"cases", "",
-                   "a case file must have the form {\"cases\": [...]} with at least one case"};
-    }
-    std::vector<CaseOutcome> outcomes;
-    for (const Json& c : file["cases"]) {
-      auto outcome = run_case(c);
-      if (!outcome) return outcome.error();
-      outcomes.push_back(std::move(outcome).take());
-    }
-    return outcomes;
+    return run_cases(parse_json(json_text));
   } catch (const nlohmann::json::exception& e) {
-    const std::string what = e.what();  // "[json.exception.parse_error.101] parse error at line …"
-    const std::size_t at = what.find("] ");
-    return unreadable(printable(at == std::string::npos ? what : what.substr(at + 2), 200));
+    return unreadable(e);
   }
+}
+
+Result<std::vector<CaseOutcome>> run_cases(const Json& file) try {
+  if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||
+      file["cases"].empty()) {
+    return Error{"cases", "",
+                 "a case file must have the form {\"cases\": [...]} with at least one case"};
+  }
+  std::vector<CaseOutcome> outcomes;
+  for (const Json& c : file["cases"]) {
+    auto outcome = run_case(c);
+    if (!outcome) return outcome.error();
+    outcomes.push_back(std::move(outcome).take());
+  }
+  return outcomes;
+} catch (const nlohmann::json::exception& e) {
+  return unreadable(e);
 }
 
 }  // namespace gearwright

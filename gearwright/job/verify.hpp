@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -29,5 +30,7 @@ struct CaseOutcome {
 /// Errors    a file that does not have the form above; a file without a case, because an empty
 ///           check must not pass
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);
+/// Runs the cases of a tree that has been read.
+Result<std::vector<CaseOutcome>> run_cases(const Json& file);
 
 }  // namespace gearwright

@@ -25,6 +25,7 @@ struct Interference {
   std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if negative, the depth of
                                        ///< the interference
   std::string message;                 ///< one sentence
+  bool of_overlap = false;             ///< true if it is also an entry of `overlap`
 };
 
 /// A position of the axes at which a crossed pair has no backlash.

@@ -214,7 +214,7 @@ void explain(InvolutePair& p) {
     if (s.cause == CollisionCause::negative_backlash || explained(s, p.interference)) continue;
     const auto code = s.cause == CollisionCause::tip_to_fillet ? WarningCode::tip_to_fillet
                                                                : WarningCode::overlap;
-    p.interference.push_back({code, s.gear, -s.depth, s.message});
+    p.interference.push_back({code, s.gear, -s.depth, s.message, true});
   }
   // If a finding based on a circle and a collision of the outlines have the same cause, only the
   // collision is reported.

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
 namespace gearwright {
@@ -23,8 +24,10 @@ TEST(CompensateSection, NamesTheErrorsOfARangeInWords) {
   view.after = score(2.0);
   view.corrections = {
       {"gear1.lead_crowning_um", "um", "helix crowning of gear 1", 3.56, "", false}};
-  view.scenarios = {{"as given", score(1.5), score(1.6)},
-                    {"crossing_deg = -0.01, center_distance_mm = 0.02", score(3.0), score(2.0)}};
+  const std::vector<ErrorValue> corner{{error_index("crossing_deg").value(), -0.01},
+                                       {error_index("center_distance_mm").value(), 0.02}};
+  view.scenarios = {{{}, score(1.5), score(1.6)}, {corner, score(3.0), score(2.0)}};
+  EXPECT_EQ(errors_text(corner), "crossing_deg = -0.01, center_distance_mm = 0.02");
   const std::string text = compensate_section(view);
   EXPECT_NE(text.find(">As given<"), text.npos);
   EXPECT_NE(text.find(">Out-of-plane shaft deviation -0.01°, centre distance 0.02 mm<"), text.npos)

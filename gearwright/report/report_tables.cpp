@@ -162,14 +162,11 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, Unit
   return rows;
 }
 
-// Returns the rows of `named`, without the interferences whose words already occur in `listed`.
-std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
-                                  const std::vector<CollisionRow>& listed, UnitSystem units) {
+// Returns the rows of the interferences that are not also entries of the overlap.
+std::vector<CollisionRow> rows_of(const std::vector<Interference>& named, UnitSystem units) {
   std::vector<CollisionRow> rows;
   for (const Interference& i : named) {
-    const bool again = std::any_of(listed.begin(), listed.end(),
-                                   [&](const CollisionRow& row) { return row.words == i.message; });
-    if (again) continue;
+    if (i.of_overlap) continue;
     const auto* turn = std::get_if<Angle>(&i.amount);
     rows.push_back({to_string(i.code), i.gear,
                     turn ? fixed(kDegPerRad * turn->rad(), kAngleDigits) + "°"
@@ -285,7 +282,7 @@ std::string interference_table(const InvolutePair& p, UnitSystem units) {
   return collision_rows("Overlap of the outlines, with the teeth in the middle of the backlash",
                         overlap) +
          collision_rows(p.overlap ? "Causes of the overlap" : "Interference",
-                        rows_of(p.interference, overlap, units)) +
+                        rows_of(p.interference, units)) +
          collision_rows("Contact beyond the flanks, before the flanks touch",
                         rows_of(p.beyond_flank, units));
 }

@@ -73,16 +73,13 @@ std::string rejected_table(const SearchCounts& counts) {
       {"Limit", "Trials", "Share of all"}, rows, "tally");
 }
 
-std::string reason_list(const std::vector<std::string>& reasons) {
+std::string reason_list(const std::vector<SearchReason>& reasons) {
   if (reasons.empty()) return {};
   std::string text = "<ul class=\"reasons\">\n";
-  // True while reasons that begin with a blank are written. These reasons form an inner list.
-  bool inner = false;
-  for (const std::string& reason : reasons) {
-    if (const bool item = reason.starts_with(' '); item != inner) {
-      text += item ? "<ul>\n" : "</ul>\n";
-      inner = item;
-    }
+  bool inner = false;  // true while changes are written, which form an inner list
+  for (const auto& [reason, is_change] : reasons) {
+    if (is_change != inner) text += is_change ? "<ul>\n" : "</ul>\n";
+    inner = is_change;
     text += "<li>" + escaped(reason) + "</li>\n";
   }
   return text + (inner ? "</ul>\n" : "") + "</ul>\n";

@@ -13,6 +13,12 @@
 
 namespace gearwright {
 
+/// A sentence about a search, or a change of the spec, which is an item below the last sentence.
+struct SearchReason {
+  std::string text;
+  bool is_change = false;
+};
+
 struct SearchReport {
   std::string title;      ///< if empty, a title is made from the range of ratios
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
@@ -20,7 +26,7 @@ struct SearchReport {
   const SearchAnswer& answer;
   /// Warnings in plain text. If no design is feasible, the list also contains the reasons and the
   /// changes that would help.
-  std::vector<std::string> reasons;
+  std::vector<SearchReason> reasons;
   std::size_t rows = 200;             ///< number of designs in the table
   std::string version;                ///< version of the program
   UnitSystem units = UnitSystem::mm;  ///< units of the lengths

@@ -69,12 +69,13 @@ TEST(SearchReport, WhenNothingFitsItSaysWhy) {
   const SearchSample sample = testing::empty_search();
   SearchReport report = sample.report();
   report.title.clear();
-  report.reasons = {"no pair <is> so small & near", "the nearest is 17.5 mm"};
+  report.reasons = {{"no pair <is> so small & near"}, {"center_distance_mm = 17.5", true}};
   const std::string page = search_report(report);
   for (const std::string& fault : testing::StrictHtml::read(page).faults) ADD_FAILURE() << fault;
   EXPECT_TRUE(has(page, "none of them satisfy"));
   EXPECT_TRUE(has(page, ">Why no design is feasible</h2>"));
-  EXPECT_TRUE(has(page, "<li>no pair &lt;is&gt; so small &amp; near</li>"));
+  EXPECT_TRUE(
+      has(page, "<li>no pair &lt;is&gt; so small &amp; near</li>\n<ul>\n<li>center_distance"));
   EXPECT_TRUE(has(page, "Design search, ratio 1.9 … 2.1"));
   EXPECT_FALSE(has(page, "<table class=\"designs\""));
   EXPECT_FALSE(has(page, "id=\"region"));

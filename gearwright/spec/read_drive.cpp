@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
@@ -155,6 +156,20 @@ StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
   return in.stage;
 }
 
+// Returns the table of the gear with this name in the graph, "drive.gear[2]" or
+// "stage[1].gears[2]". Only these tables have the keys of a gear.
+std::string table_of_gear(const Json& tree, const std::string& name) {
+  if (tree.contains("drive"))
+    for (std::size_t i = 0; i < tree["drive"]["gear"].size(); ++i)
+      if (tree["drive"]["gear"][i]["name"] == name) return fmt::format("drive.gear[{}]", i + 1);
+  if (tree.contains("stage"))
+    for (std::size_t i = 1; i <= tree["stage"].size(); ++i)
+      for (const int which : {1, 2})
+        if (name == fmt::format("s{}_gear{}", i, which))
+          return fmt::format("stage[{}].gears[{}]", i, which);
+  contract_failed("precondition", "a gear with its own table", __FILE__, __LINE__);
+}
+
 template <class T>
 T taken(Result<T> made, const Json& tree) {
   if (!made) throw SpecError{spelled(of_drive_table(made.error(), tree))};
@@ -215,8 +230,15 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree) {
 }
 
 Error of_drive_table(Error error, const Json& tree) {
-  constexpr std::string_view kGraph = "drive.";
+  constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"";
   if (!error.field.starts_with(kGraph)) return error;
+  if (error.field.starts_with(kGear)) {  // as of_drive_gear() makes it
+    const std::size_t end = error.field.find("\"].");
+    const std::string gear = error.field.substr(kGear.size(), end - kGear.size());
+    const SpelledMember own = spelled_member("gear1", error.field.substr(end + 3), error.value);
+    return {table_of_gear(tree, gear) + own.key.substr(own.key.find('.')), own.value, error.rule,
+            error.kind};
+  }
   for (const std::string own : {"planetary", "stage", "search"})
     if (tree.contains(own))
       return {own + "." + error.field.substr(kGraph.size()), error.value, error.rule, error.kind};

@@ -10,7 +10,7 @@ and that CONTRIBUTING.md shows the code of a verb as it is.
     verbatim  a block is the file, letter for letter
     complete  every program has a block, and every block has a program
     length    a program has 20 to 60 lines, not counting its output
-    verb      the parts of "A new verb" occur in job/verbs.cpp, apart from white space
+    verb      the parts of "A new verb" occur in job/verbs.cpp or job/analysis.cpp, apart from white space
 
 If GW_WRITE_DOCS is set, the blocks are replaced. Each rule is first tested with a page that violates it,
 so that a rule that no longer detects anything fails.
@@ -75,7 +75,7 @@ def verb_faults(page, code):
     def folded(text):
         return "".join(text.split())
     parts = VERB.search(page).group(1).split("\n\n")
-    return [f"CONTRIBUTING.md: not in job/verbs.cpp: {p}" for p in parts if folded(p) not in folded(code)]
+    return [f"CONTRIBUTING.md: not in the code of the verbs: {p}" for p in parts if folded(p) not in folded(code)]
 
 
 def self_test():
@@ -107,7 +107,7 @@ def main():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     assert "```cpp" in readme
     contributing = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    verbs = (ROOT / "gearwright/job/verbs.cpp").read_text(encoding="utf-8")
+    verbs = "".join((ROOT / f"gearwright/job/{name}.cpp").read_text(encoding="utf-8") for name in ("verbs", "analysis"))
     faults = check(page, programs) + compiled(readme) + verb_faults(contributing, verbs)
     for fault in faults:
         print(fault)

@@ -17,7 +17,7 @@ def answered(verb, spec):
     try:
         return gw.solve(spec, verb)
     except gw.SpecError as e:
-        return {"error": {"key": e.key, "value": e.value, "message": e.message}}
+        return {"error": {"key": e.key, "value": e.value, "message": e.message, "kind": e.kind}}
 
 
 @pytest.mark.parametrize("verb", sorted({case.get("verb", "pair") for _, case in CASES}))

@@ -10,14 +10,16 @@ class SpecError(ValueError):
     value    the given value as text, or "" if there is none or if it is too long for a sentence
     allowed  the violated rule, the permitted values with the reason, and a remedy
     message  all of these in one sentence
+    kind     a word for programs, for example "missing" or "nothing_touches" (docs/spec.md)
     """
 
-    def __init__(self, key: str, value: str, allowed: str, message: str) -> None:
-        super().__init__(key, value, allowed, message)
+    def __init__(self, key: str, value: str, allowed: str, message: str, kind: str = "value") -> None:
+        super().__init__(key, value, allowed, message, kind)
         self.key = key
         self.value = value
         self.allowed = allowed
         self.message = message
+        self.kind = kind
 
     def __str__(self) -> str:
         return self.message

@@ -83,7 +83,7 @@ Error caught() {
   } catch (const std::bad_alloc&) {
     return {"", "", "out of memory; a coarser tolerance or fewer teeth would help"};
   } catch (const std::exception& e) {
-    return {"", "", e.what()};
+    return {"", "", e.what(), FailureKind::defect};
   }
 }
 

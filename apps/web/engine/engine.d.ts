@@ -27,16 +27,16 @@ export interface Failed {
     key: string; // "gear1.normal_module_mm", or "" if the error has no key
     value: string;
     message: string; // the whole sentence, with key and value
+    kind: string; // "value", "missing", …; the list of docs/spec.md
     file?: string;
     line?: number; // line of the key, or of its table, in the text; counted from 1
     column?: number; // in characters, counted from 1
-    // The verb that computes the missing values. It is set only by `open`, and only if the spec is
-    // incomplete.
+    // The verb that computes the missing values. Only `open` sets it, if the spec is incomplete.
     finder?: "search" | "fit" | "identify";
   };
 }
 
-export type Verb = "gear" | "pair" | "drive" | "measure" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
+export type Verb = "gear" | "pair" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "drive" | "measure" | "identify" | "fit" | "search";
 
 /** Kinds of files that the engine makes. `report` and `json` contain everything about the spec. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";

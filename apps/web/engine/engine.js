@@ -6,7 +6,7 @@ const kBroken =
   "a defect stopped the engine; please report the spec, and load the engine again: ";
 
 const broken = (e) => ({
-  error: { key: "", value: "", message: kBroken + (e instanceof Error ? e.message : String(e)) },
+  error: { key: "", value: "", message: kBroken + (e instanceof Error ? e.message : String(e)), kind: "defect" },
 });
 
 export function failed(x) {

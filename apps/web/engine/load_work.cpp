@@ -4,10 +4,9 @@
 #include "apps/web/engine/stopwatch.hpp"
 #include "apps/web/engine/work.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/base/contract.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/job/judgement.hpp"
-#include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/analysis.hpp"
 #include "gearwright/job/result_rows.hpp"
 #include "gearwright/load/load_summary.hpp"
 
@@ -124,19 +123,19 @@ std::optional<Error> LoadWork::close() {
 
 Result<Steps> LoadHalvesWork::step(double) {
   if (result_.is_null()) {
-    auto made = load_part(job_);
+    auto made = load_with_scene(job_);
     if (!made) return made.error();
-    if (!*made || !(*made)->report) return Error{"", "", job_.warnings.back().message};
-    take((*made)->answer, std::move(*(*made)->report));
+    GW_EXPECTS(made->report);  // load_work() makes this work only for torques
+    take(made->answer, std::move(*made->report));
   }
   return Steps{1, 1, true};
 }
 
 void LoadAnswerWork::take(const LoadAnalysis& answer, LoadScene scene) {
   scene_ = std::move(scene);
-  Json json = load_json(job_, answer);
+  Json json = titled_record(kLoadAnalysis, job_, answer);
   json["warnings"] = warnings_json(job_.warnings);
-  json["verdict"] = verdict_json(judge(job_, {.load = true}));
+  json["verdict"] = verdict_json(kLoadAnalysis.judge(job_, answer));
   result_["json"] = json_text(json, 2) + "\n";
   for (const LoadTorqueView& torque : torque_views(*answer.contact, answer.standard))
     torques_.push_back(load_torque_quantities().of(torque));

@@ -39,6 +39,8 @@ export interface Result {
 export class SpecError extends Error {
   key: string;
   value: string;
+  /** The kind of the error, such as "missing"; docs/spec.md lists all kinds. */
+  kind: string;
   line?: number;
   column?: number;
 }

@@ -11,10 +11,10 @@ export { failed };
 
 /** An error in a spec, with the key, its value, and the message. */
 export class SpecError extends Error {
-  constructor({ key, value, message, line, column }) {
+  constructor({ key, value, message, kind, line, column }) {
     super(message);
     this.name = "SpecError";
-    Object.assign(this, { key, value, line, column });
+    Object.assign(this, { key, value, kind, line, column });
   }
 }
 

@@ -192,11 +192,11 @@ const questions = {
   catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
   solve: (q: { text: string; known: number }) => solve(q.text, q.known),
   /** Sets keys in the text and solves the new text. */
-  edit(q: { text: string; edits: Edit[]; known: number }): Solved | { refused: string } {
+  edit(q: { text: string; edits: Edit[]; known: number }): Solved | { refused: Fault } {
     let text = isJson(q.text) ? good(engine.toToml(q.text)) : q.text;
     for (const [key, value] of q.edits) {
       const next = engine.edit(text, key, value);
-      if (failed(next)) return { refused: next.error.message };
+      if (failed(next)) return { refused: next.error };
       text = next;
     }
     return solve(text, q.known);

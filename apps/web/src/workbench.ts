@@ -104,7 +104,8 @@ class Workbench {
       // this change.
       if (this.text !== from) return;
       if ("refused" in answer) {
-        const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
+        const { message, kind } = answer.refused;
+        const fault = { key: edits[0]![0], value: edits[0]![1], message, kind };
         this.takeSolved({ ...(this.solved ?? faulty(from, "")), fault }, begin);
         return;
       }
@@ -213,7 +214,7 @@ class Workbench {
 }
 
 function faulty(text: string, message: string): Solved {
-  const fault: Fault = { key: "", value: "", message };
+  const fault: Fault = { key: "", value: "", message, kind: "value" };
   return { text, spec: null, result: null, rows: null, number: 0, fault, gears: 0, hasPair: false, milliseconds: 0 };
 }
 

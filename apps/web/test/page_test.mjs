@@ -312,8 +312,10 @@ describe("unknown values of a spec", () => {
     await page.click(".branch button");
     await page.waitForFunction(() => document.querySelector(".level").textContent !== "identify");
     await settled(page);
-    const module = await page.inputValue('[data-key="gear1.normal_module_mm"]');
-    assert.equal(Number(module), expected[0].normal_module_mm);
+    for (const key of ["normal_module_mm", "profile_shift", "thickness_allowance_mm"]) {
+      const shown = await page.inputValue(`[data-key="gear1.${key}"]`);
+      assert.equal(Number(shown), expected[0].spec.gear1[key], key);
+    }
   });
 
   it("every form under “Start from” leads to a result", async () => {

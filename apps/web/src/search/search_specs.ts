@@ -1,9 +1,7 @@
-// Makes the specs of the tab "search", which are a search around the pair on screen and the spec of an
-// identified gear.
+// Makes the spec of the tab "search" for a search around the pair on screen.
 
 import type { Json } from "../engine_worker";
 import { at, bench } from "../workbench";
-import type { Design } from "./search_table";
 
 /** Returns the spec of a search for designs that are similar to the pair on screen. */
 export function around(): string {
@@ -32,21 +30,4 @@ objective = ["contact_ratio", "sliding"]
 
 export function measured(spec: Json): boolean {
   return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
-}
-/** Returns the spec of an identified gear. It contains the data of the candidate that a spec accepts, and the other
- *  keys of the old gear 1. */
-export function gearOf(candidate: Design): Json {
-  const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
-  const gear: Design = { ...old };
-  delete gear["measured"];
-  for (const key of [
-    "teeth",
-    "normal_module_mm",
-    "normal_pressure_angle_deg",
-    "helix_angle_deg",
-    "profile_shift",
-    "tip_diameter_mm",
-  ])
-    if (typeof candidate[key] === "number") gear[key] = candidate[key];
-  return { title: at(bench.solved?.spec ?? null, "title") ?? "identified gear", gear1: gear };
 }

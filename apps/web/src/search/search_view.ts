@@ -11,7 +11,7 @@ import { shownUnit, textOf } from "../numbers";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
 import { ParetoPicture, type Point } from "./pareto";
-import { around, gearOf, measured } from "./search_specs";
+import { around, measured } from "./search_specs";
 import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design } from "./search_table";
 
 const kMostTrials = 1e7; // candidates; a search with more of them needs the native program
@@ -302,8 +302,7 @@ export class SearchView implements Tab {
       return [h("dt", {}, info.words), h("dd", {}, `${texts} ${info.percent ? "%" : shownUnit(info)}`)];
     });
     const use = async () => {
-      const spec = branch["spec"] ?? gearOf(branch);
-      const text = await bench.front.call("tomlOf", { json: JSON.stringify(spec) });
+      const text = await bench.front.call("tomlOf", { json: JSON.stringify(branch["spec"]) });
       this.list([], [], "");
       this.searched = bench.text;
       this.back.hidden = false;
