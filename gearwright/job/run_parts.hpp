@@ -13,7 +13,7 @@ namespace gearwright {
 /// teeth touch, the result is empty, and the job gets a warning.
 ///
 /// Errors    all other errors of answer_compensate()
-Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress);
+Result<std::optional<CompensateAnswer>> compensation_part(SolvedJob& job, Progress* progress);
 
 /// Returns the scatter of [scatter]. If there is no contact, the result is empty. There is no
 /// further warning, because the contact analysis already adds one.
