@@ -10,7 +10,6 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/numbers.hpp"
@@ -19,11 +18,11 @@
 #include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 namespace {
 
-using Json = nlohmann::json;
 using Complex = std::complex<double>;
 
 using testing::kDegree;
