@@ -10,6 +10,7 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/numbers.hpp"
