@@ -345,7 +345,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
      "in a drive with [load], K_γ of the planets under load is greater than K_γ of the rating or, "
-     "without a rating, is at least 2",
+     "without a rating, is at least 2, or a planet carries no load at any position",
      "the planets share the load unevenly"},
     {C::default_rack, "default_rack", kNote,
      "the pressure angle is 14.5° and the rack is not given; the message names the standard rack "
