@@ -41,6 +41,7 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
+  std::optional<SpectrumRating> spectrum{};
 };
 std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRating& nominal) {
   auto pair = rated_pair(*arranged.pair);
@@ -49,7 +50,13 @@ std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRati
   again.halves = nominal.pair->halves;
   auto rating = rate(again, *nominal.input);
   if (!rating) return std::nullopt;
-  return RatedAgain{std::move(again), std::move(rating).take()};
+  RatedAgain made{std::move(again), std::move(rating).take()};
+  if (nominal.spectrum) {
+    const auto spectrum = rate_spectrum(made.pair, *nominal.input, nominal.steps);
+    if (!spectrum) return std::nullopt;
+    made.spectrum = *spectrum;
+  }
+  return made;
 }
 
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
@@ -60,8 +67,12 @@ JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumbe
   JudgedWith of_there;
   const auto rated = with.rating ? rated_again(*there, *with.rating) : std::nullopt;
   if (rated)
-    of_there.rating =
-        JudgedRating{&rated->pair, with.rating->input, &rated->rating, with.rating->wanted};
+    of_there.rating = JudgedRating{.pair = &rated->pair,
+                                   .input = with.rating->input,
+                                   .rating = &rated->rating,
+                                   .wanted = with.rating->wanted,
+                                   .spectrum = rated->spectrum ? &*rated->spectrum : nullptr,
+                                   .steps = with.rating->steps};
   of_there.errors = with.errors;
   JudgedState state{findings_of(judged_of(*there, of_there)), {}};
   if (rated) state.pair = rated->pair;
@@ -325,9 +336,7 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
     for (const Finding& finding : state.findings) {
       if (finding.level == Level::green || finding.code == WarningCode::rating_plastic) continue;
       drawn.runs = false;
-      const bool safety =
-          finding.code == WarningCode::flank_safety || finding.code == WarningCode::root_safety;
-      wider_helps = wider_helps && safety;
+      wider_helps = wider_helps && is_safety(finding.code);
     }
     if (state.pair) drawn.at_ends.push_back(*state.pair);
     return drawn.runs || wider_helps;

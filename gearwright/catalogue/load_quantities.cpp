@@ -63,7 +63,7 @@ void add_load_position(Quantities<P>& q) {
            "approach of the flanks relative to the first contact without load, along the line of "
            "action in the transverse section or, for point contact, along the normals; the "
            "approach includes the deflection of the flanks and the twist of the bodies, but not "
-           "the displacement of the axes when the shafts deflect",
+           "the displacement of the axes when the shafts deflect under this load",
            [](const P& p) { return p.position->approach * kUmPerMm; })
       .or_null();
   q.number(

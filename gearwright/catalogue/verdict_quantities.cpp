@@ -57,7 +57,7 @@ const Quantities<Finding>& finding_quantities() {
   return define("verdict.finding", [](Quantities<F>& q) {
     q.text("code",
            "code of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
-           "`contact_place`, `root_safety`, `flank_safety`",
+           "`contact_place`, `root_safety`, `flank_safety`, `spectrum_safety`",
            [](const F& f) { return to_string(f.code); });
     q.word("level", "level", "level of the finding; green is only information", [](const F& f) {
        return to_string(f.level);

@@ -168,6 +168,14 @@ double SectionMesh::parameter_at(double length) const {
   return (double(i) + (length - lengths[i]) / (lengths[i + 1] - lengths[i])) / kLengthSteps;
 }
 
+std::optional<Error> too_few_teeth(int teeth) {
+  if (std::abs(teeth) >= kLeastTeeth) return std::nullopt;
+  return Error{"teeth", std::to_string(teeth),
+               "is not possible under load; the gear must have at least 3 teeth, because the model "
+               "of a tooth includes its neighbour on each side",
+               FailureKind::not_under_load};
+}
+
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,
                                       const SectionMeshOptions& options) {
   GW_EXPECTS(outline.teeth != 0 && module > 0.0 && bore_radius > 0.0);
@@ -177,11 +185,7 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   mesh.outward = outline.side();
   mesh.tooth_count = std::abs(outline.teeth);
   mesh.bore_radius = bore_radius / module;
-  if (mesh.tooth_count < kLeastTeeth)
-    return Error{"teeth", std::to_string(outline.teeth),
-                 "is not possible under load; the gear must have at least 3 teeth, because the "
-                 "model of a tooth includes its neighbour on each side",
-                 FailureKind::not_under_load};
+  if (auto error = too_few_teeth(outline.teeth)) return *error;
   std::vector<Part> parts;
   for (const Arc& arc : outline.arcs)
     if (arc.name != ArcName::tip_land && arc_length(arc) > kNoArc * module)

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
@@ -72,6 +73,8 @@ struct SectionMesh {
   double to_tip = 1.25;
   std::vector<double> lengths;  ///< arc lengths at kLengthSteps positions per element
 };
+/// Returns an error if a gear with this number of teeth has no mesh. An internal gear has z < 0.
+std::optional<Error> too_few_teeth(int teeth);
 /// Makes the mesh. For an internal gear, `bore_radius` is the outside radius of the rim.
 ///
 /// Domain    0 < bore radius (contract)

@@ -74,6 +74,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a safety factor against pitting is below the required value; if it is below 1, the level is "
      "red",
      "the safety against pitting is too small"},
+    {C::spectrum_safety, "spectrum_safety", kCaution,
+     "a safety factor under the load spectrum is below the required value; if it is below 1, the "
+     "level is red",
+     "a safety under the load spectrum is too small"},
     {C::samples_jam, "samples_jam", kCaution,
      "the gears jam in some samples (verb `scatter`); the message gives the least play of all "
      "samples",
@@ -341,7 +345,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
      "in a drive with [load], K_γ of the planets under load is greater than K_γ of the rating or, "
-     "without a rating, is at least 2",
+     "without a rating, is at least 2, or a planet carries no load at any position",
      "the planets share the load unevenly"},
     {C::default_rack, "default_rack", kNote,
      "the pressure angle is 14.5° and the rack is not given; the message names the standard rack "
@@ -356,12 +360,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::tolerance_editions, "tolerance_editions", kNote,
      "the rating and the drawing use the tolerances of different editions of ISO 1328-1 (verb "
      "`run`)"},
-    {C::spectrum_safety, "spectrum_safety", kCaution,
-     "a safety factor under the load spectrum is less than required",
-     "a safety factor under the load spectrum that is less than required"},
     {C::spectrum_rated, "spectrum_rated", kNote,
-     "the message gives the safety factors under the load spectrum; the verdict applies to the "
-     "torque of the rating, with K_A"},
+     "the message gives the safety factors under the load spectrum, and the torque and K_A to "
+     "which the other results of the rating apply"},
     {C::torque_of_rating, "torque_of_rating", kNote,
      "[load] gives no torque, so the verb `load` uses the nominal torque of [rating]"},
 }};

@@ -40,6 +40,7 @@ enum class WarningCode {
   overlap,
   root_safety,
   flank_safety,
+  spectrum_safety,
   // The gears run, but not as intended.
   samples_jam,
   samples_lose_contact,
@@ -136,8 +137,7 @@ enum class WarningCode {
   // The accuracy grade of the rating differs from the grade of the drawing.
   rating_quality,
   tolerance_editions,
-  // The safety factors of a load spectrum, which the verdict does not contain.
-  spectrum_safety,
+  // The safety factors of a load spectrum.
   spectrum_rated,
   // A torque that [load] does not contain.
   torque_of_rating,

@@ -333,5 +333,25 @@ TEST(DriveAnswerTest, RateRatesEveryMesh) {
   EXPECT_FALSE(without->record["drive"]["meshes"]["sun_planet"].contains("rating"));
 }
 
+// The pin of the first planet is 200 µm ahead, so two planets share the load and K_γ is below 2.
+TEST(DriveAnswerTest, APlanetWithoutLoadIsAFinding) {
+  const auto judged = [](const std::string& rest) {
+    const auto answer = answer_drive(drive_job(
+        "[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\nnormal_module_mm = 2\n"
+        "face_width_mm = 20\nthickness_allowance_mm = -0.06\ntorque_Nm = 120\n"
+        "[load]\naccuracy = \"draft\"\npositions = 4\npin_error_um = " +
+        rest));
+    EXPECT_TRUE(answer) << answer.error().message();
+    return answer->verdict.value();
+  };
+  const Verdict idle = judged("[200, 0, 0]\n");
+  EXPECT_EQ(idle.level, Level::amber);
+  ASSERT_EQ(idle.findings.front().code, WarningCode::mesh_load_factor);
+  EXPECT_NE(idle.findings.front().message.find("Planet 1 of 3 carries no load at any position"),
+            std::string::npos)
+      << idle.findings.front().message;
+  EXPECT_EQ(judged("[4, 0, 0]\n").level, Level::green);
+}
+
 }  // namespace
 }  // namespace gearwright

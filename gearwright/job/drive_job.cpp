@@ -245,6 +245,25 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
                              name, shown, fixed_decimals(used, 3), shown)};
 }
 
+// Returns a finding if a planet carries no load over a whole period. K_γ can be small even then: if
+// one of three planets carries nothing, it is between 1.5 and 3.
+std::optional<Warning> idle_planet(const Drive& drive) {
+  constexpr double kNoShare = 1e-9;  // shares of this size are rounding errors
+  for (const PlanetShares& shares : drive.loaded->sets)
+    for (std::size_t i = 0; i < shares.greatest.size(); ++i) {
+      if (shares.greatest[i] > kNoShare) continue;
+      const auto& [mesh, factor] = shares.mesh_load_factor();
+      return Warning{
+          WarningCode::mesh_load_factor,
+          fmt::format("Planet {} of {} carries no load at any position; in the mesh {}, the other "
+                      "planets have K_γ = {}. Reduce the errors of the pins{}.",
+                      i + 1, shares.greatest.size(), drive.graph.meshes[mesh].name,
+                      fixed_decimals(factor, 3),
+                      shares.floating ? "" : ", or let one member float")};
+    }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts,
@@ -267,8 +286,11 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts,
     if (auto error = load_drive(job, progress)) return *error;
   if (rated && needs_load)
     if (auto error = drive_rater(spec)(job.drive)) return *error;
-  if (loaded)
-    if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
+  if (loaded) {
+    auto finding = greater_mesh_load_factor(job.drive);
+    if (!finding) finding = idle_planet(job.drive);
+    if (finding) job.drive.findings.push_back(std::move(*finding));
+  }
   job.verdict = judge(job);
   return job;
 }

@@ -39,7 +39,12 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
   };
   if (parts.rating) {
     const RatingAnswer& r = *parts.rating;
-    with.rating = JudgedRating{&r.pair, &r.input, &r.rating, r.wanted};
+    with.rating = JudgedRating{.pair = &r.pair,
+                               .input = &r.input,
+                               .rating = &r.rating,
+                               .wanted = r.wanted,
+                               .spectrum = r.spectrum ? &*r.spectrum : nullptr,
+                               .steps = r.steps};
   }
   Verdict verdict = judge(static_cast<const Arranged&>(job), with);
   for (Finding& f : verdict.findings)

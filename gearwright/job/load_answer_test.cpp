@@ -204,6 +204,21 @@ TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
   EXPECT_EQ(light.find("errors of mounting"), light.npos) << light;
 }
 
+TEST(LoadAnswer, TooFewTeethAreRefusedBeforeAnyTable) {
+  for (const auto& [one, two] : {std::pair{"2", "40"}, {"40", "2"}}) {
+    SolvedJob job = loaded_job(
+        std::string("gear1 = { normal_module_mm = 2, helix_angle_deg = 30, face_width_mm = 30, ") +
+        "profile_shift = 0.9, teeth = " + one +
+        " }\ngear2 = { profile_shift = 0.9, teeth = " + two + " }\nload = { torque_Nm = 5 }\n");
+    Progress progress;
+    const auto answer = answer_load(job, &progress);
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().field, one == std::string("2") ? "gear1.teeth" : "gear2.teeth");
+    EXPECT_NE(answer.error().rule.find("at least 3 teeth"), std::string::npos);
+    EXPECT_STRNE(progress.state().stage, "computing the compliance of the teeth");
+  }
+}
+
 TEST(LoadAnswer, SlicesThatAreTooFineAreRefusedBeforeAnyTable) {
   // 52 slices are 0.19 modules wide.
   for (const auto& [helix, slices] : {std::pair{"0", "128"}, {"20", "52"}}) {

@@ -58,14 +58,12 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   }
 }
 
-// Adds a warning with the safety factors under the spectrum. The verdict does not contain these
-// safety factors, because the verdict applies to one torque with K_A.
+// Adds a note with the safety factors under the spectrum, and with the load of the other results.
 void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
   const double flank = std::min(answer.spectrum->S_H[0], answer.spectrum->S_H[1]);
   const double root = std::min(answer.spectrum->S_F[0], answer.spectrum->S_F[1]);
-  const bool holds = flank >= answer.wanted.flank && root >= answer.wanted.root;
   job.warnings.push_back(
-      {holds ? WarningCode::spectrum_rated : WarningCode::spectrum_safety,
+      {WarningCode::spectrum_rated,
        fmt::format("Under the spectrum, with K_A = 1, the lowest safety factor is {:.2f} against "
                    "pitting and {:.2f} against root breakage; {:g} and {:g} are required. Values "
                    "outside the group Spectrum apply to {:g} N m with K_A = {:g}.",
@@ -151,23 +149,27 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   answer.rating = std::move(made).take();
   answer.wanted = {table.safety_flank_min.value_or(1.0), table.safety_root_min.value_or(1.0)};
   if (!table.spectrum.empty()) {
-    std::vector<LoadBin> steps = table.spectrum;
-    for (LoadBin& step : steps) {
+    answer.steps = table.spectrum;
+    for (LoadBin& step : answer.steps) {
       if (!faces) break;
       const auto K_Hbeta = faces->at(answer.pair, input_of(step, answer.input));
       if (!K_Hbeta) return K_Hbeta.error();
       step.face_load_factor = *K_Hbeta;
     }
-    auto whole = rate_spectrum(answer.pair, answer.input, steps);
+    auto whole = rate_spectrum(answer.pair, answer.input, answer.steps);
     if (!whole) return whole.error();
     answer.spectrum = *whole;
   }
-  answer.torque_holding =
-      faces ? torque_with_face_loads(answer.pair, answer.input, answer.wanted, *faces)
-            : torque_of_safety(answer.pair, answer.input, answer.wanted);
-  if (!faces)
-    answer.face_holding = face_width_of_safety(answer.pair, answer.input, answer.wanted,
-                                               kMostFaceModules * answer.pair.normal_module);
+  if (!faces) {
+    answer.torque_holding =
+        torque_of_safety(answer.pair, answer.input, answer.wanted, answer.steps);
+    answer.face_holding =
+        face_width_of_safety(answer.pair, answer.input, answer.wanted,
+                             kMostFaceModules * answer.pair.normal_module, answer.steps);
+  } else if (answer.steps.empty()) {
+    answer.torque_holding =
+        torque_with_face_loads(answer.pair, answer.input, answer.wanted, *faces);
+  }
   if (answer.face_holding && job.halves[0])
     answer.face_holding = 2 * *answer.face_holding + job.halves[0]->given.gap;
   warn_of_limits(job, answer.rating);

@@ -108,7 +108,14 @@ Position PositionSolver::prepare(double rotation, Slices slices) {
     q.local += 2 * plane / std::numbers::pi;
   }
   q.reduced_modulus = 1 / soft;
-  if (!at.rows.empty()) q.yield = std::make_shared<const MatrixXd>(yields(at));
+  if (at.rows.empty()) return at;
+  if (shafts_.any()) {
+    std::vector<ShaftYield::Place> places;
+    for (const Row& row : at.rows)
+      places.push_back({row.slice, at.pairs[row.pair].at[row.slice]->radius});
+    at.shafts = q.length * shafts_.between(places);
+  }
+  q.yield = std::make_shared<const MatrixXd>(yields(at));
   return at;
 }
 
@@ -135,11 +142,8 @@ MatrixXd PositionSolver::yields(const Position& at) const {
     for (Index j = 0; j < m; ++j)
       yield(i, j) =
           all(at.rows[i].pair * n + at.rows[i].slice, at.rows[j].pair * n + at.rows[j].slice);
-  if (!shafts_.any()) return yield;
-  std::vector<ShaftYield::Place> places;
-  for (const Row& row : at.rows)
-    places.push_back({row.slice, at.pairs[row.pair].at[row.slice]->radius});
-  return yield + at.problem.length * shafts_.between(places);
+  if (shafts_.any()) yield += at.shafts;
+  return yield;
 }
 
 LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation1, bool& too_fine,
@@ -157,13 +161,21 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
   out.unfinished = !x.found();
   if (out.unfinished) return out;
   out.max_pressure = out.max_width_ratio = 0.0;
-  // The displacement of the axes is not a deflection of the mesh, so it is subtracted. [T12.36]
+  // The displacement of the axes is not a deflection of the mesh, so it is subtracted. The
+  // transmission error contains its variation with the rotation and with the load, so a constant
+  // is subtracted there. [T12.36], [T12.36a]
   const double arm = base_radius_ * std::sqrt(1 - sin_b_ * sin_b_);
-  const double of_axes = shafts_.of_axes() / (arm * arm);  // rad/(N mm)
-  const double approach = x.approach - of_axes * q.moment;
-  out.te = Angle::radians(sign * (at.te - approach));
+  out.te =
+      Angle::radians(sign * (at.te - (x.approach - shafts_.of_axes() / (arm * arm) * q.moment)));
+  double approach = x.approach;
+  double tangent = x.yield_per_moment;
+  if (shafts_.any()) {
+    const VectorXd& h = x.approach_per_gap;
+    approach -= q.length * x.line_load.dot(at.shafts * x.line_load) / q.moment;
+    tangent -= h.dot(at.shafts * h) / q.length;
+  }
   out.approach = approach * base_radius_;
-  out.tangent = (x.yield_per_moment - of_axes) * base_radius_ * base_radius_;
+  out.tangent = tangent * base_radius_ * base_radius_;
   const int n = compliance_.slices[0].count;
   const double total = x.line_load.sum();
   std::vector<VectorXd> load(at.pairs.size(), VectorXd::Zero(n));

@@ -34,7 +34,8 @@ struct Position {
   std::vector<PairPlaces> pairs;  // the pairs that may touch, from the start to the end of contact
   std::vector<Row> rows;
   ContactProblem problem;
-  double te = 0.0;  // TE at which the teeth first touch, including the additional deflection
+  Eigen::MatrixXd shafts;  // S Δ of [T12.35], mm per N/mm, between the rows; empty without shafts
+  double te = 0.0;         // TE at which the teeth first touch, including the additional deflection
   std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
 };
 // Stresses of each gear at the root points and slices, in frame N.

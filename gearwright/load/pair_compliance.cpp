@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/compliance/section_mesh.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/load/complementarity.hpp"
 #include "gearwright/math/involute.hpp"
@@ -178,6 +179,10 @@ LoadRequest LoadRequest::undeflected() const {
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready) {
+  // The number of teeth is checked first, because the table of the other gear takes seconds.
+  for (const int which : {1, 2})
+    if (auto error = too_few_teeth((which == 1 ? gear_1 : gear_2).spec.teeth))
+      return of_gear(which, *error);
   PairCompliance c;
   c.table = ready;
   c.bodies = request.bodies;

@@ -2,14 +2,18 @@
 //
 // Load factors depend on the load and on the face width, so there is no closed form. The functions
 // rate the pair repeatedly within a bracket. Each returned value has itself been rated.
+//
+// If there is a load spectrum, its safety factors are used instead of those of the single load.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gearwright/rating/rating.hpp"
+#include "gearwright/rating/spectrum.hpp"
 
 namespace gearwright {
 
@@ -23,12 +27,16 @@ struct Safeties {
 bool holds(const Rating& rating, const Safeties& wanted);
 
 /// Returns the greatest torque on gear 1 with the required safety factors, N m. Returns none if
-/// there is no such torque between 1e-6 and 1e6 times the torque of the input.
+/// there is no such torque between 1e-6 and 1e6 times the torque of the input. With a spectrum, the
+/// torques of all steps are multiplied by the same factor, and the result is the greatest of them.
 ///
 /// Accuracy  1e-9, relative
-/// Law       safety factors decrease as the torque increases
+/// Laws      (1) safety factors decrease as the torque increases
+///           (2) a spectrum of one step has the result of a single load with K_A = 1 and the life
+///               of this step; this law also applies to face_width_of_safety()
 std::optional<double> torque_of_safety(const RatedPair& pair, const RatingInput& input,
-                                       const Safeties& wanted);
+                                       const Safeties& wanted,
+                                       const std::vector<LoadBin>& spectrum = {});
 /// Returns the pair with another common face width, mm, and the corresponding overlap ratio.
 RatedPair with_face_width(RatedPair pair, double face_width);
 
@@ -42,14 +50,17 @@ constexpr double kMostFaceModules = 40.0;
 ///           the sufficient widths may form several ranges. A range narrower than 1e-4 of the width
 ///           may be missed
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
-                                           const Safeties& wanted, double most);
+                                           const Safeties& wanted, double most,
+                                           const std::vector<LoadBin>& spectrum = {});
 /// Alternative steels of the table, the weakest first.
 inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
                                                                    "31CrMoV9", "17CrNiMo6"};
 /// Returns the weakest of these steels that makes the safety factors sufficient if it replaces the
-/// material of the gears whose safety factors are too low. Returns none if there is no such steel,
-/// if the pair cannot be rated, or for a rating of plastics.
+/// material of the gears whose safety factors are too low. With a spectrum, the safety factors of
+/// the single load must be sufficient too. Returns none if there is no such steel, if the pair
+/// cannot be rated, or for a rating of plastics.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
-                                           const Safeties& wanted);
+                                           const Safeties& wanted,
+                                           const std::vector<LoadBin>& spectrum = {});
 
 }  // namespace gearwright

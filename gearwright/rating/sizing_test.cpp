@@ -69,5 +69,46 @@ TEST(Sizing, FaceWidthOfSafetyIsTheLeast) {
   EXPECT_GE(gaps, 5);  // sufficient widths below a gap of insufficient ones
 }
 
+// A spectrum of one step has the torque and the face width of a single load with the life of this
+// step. They are not those of a load without life, whose life factors are 1.
+TEST(Sizing, SpectrumOfOneStepIsThePlainRating) {
+  const RatedPair pair = testing::helical_24_95();
+  RatingInput in = testing::helical_24_95_load();
+  in.application_factor = 1.0;
+  in.torque *= 2;
+  const Safeties wanted{1.25, 1.5};
+  for (const double hours : {10.0, 500.0, 20000.0, 1e6}) {
+    const std::vector<LoadBin> step{{in.torque, *in.speed, hours}};
+    RatingInput plain = in;
+    plain.life_h = hours;
+    const double torque = torque_of_safety(pair, plain, wanted).value();
+    const double width = face_width_of_safety(pair, plain, wanted, 5000).value();
+    in.life_h.reset();
+    EXPECT_NEAR(torque_of_safety(pair, in, wanted, step).value(), torque, 1e-8 * torque) << hours;
+    EXPECT_NEAR(face_width_of_safety(pair, in, wanted, 5000, step).value(), width, 1e-6 * width)
+        << hours;
+    EXPECT_GT(std::abs(torque_of_safety(pair, in, wanted).value() / torque - 1), 1e-3) << hours;
+  }
+}
+
+// The greatest torque is that of the greatest step, and all torques are multiplied by one factor.
+TEST(Sizing, TorqueOfASpectrumScalesAllSteps) {
+  const RatedPair pair = testing::helical_24_95();
+  RatingInput in = testing::helical_24_95_load();
+  in.life_h.reset();
+  const Safeties wanted{1.2, 1.5};
+  std::vector<LoadBin> steps{{40000, *in.speed, 5000}, {60000, *in.speed, 300}};
+  const double torque = torque_of_safety(pair, in, wanted, steps).value();
+  const auto least = [&](double factor) {
+    std::vector<LoadBin> scaled = steps;
+    for (LoadBin& step : scaled) step.torque *= factor * torque / 60000;
+    const SpectrumRating s = rate_spectrum(pair, in, scaled).value();
+    return std::min(std::min(s.S_H[0], s.S_H[1]) / wanted.flank,
+                    std::min(s.S_F[0], s.S_F[1]) / wanted.root);
+  };
+  EXPECT_GE(least(1 - 1e-8), 1.0);
+  EXPECT_LT(least(1 + 1e-7), 1.0);
+}
+
 }  // namespace
 }  // namespace gearwright

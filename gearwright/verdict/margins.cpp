@@ -130,10 +130,16 @@ std::string rating_remedy(const JudgedRating& rating) {
   // A computed K_Hβ applies only to the face width and to the torque for which it was computed, so
   // no other face width or torque can be recommended.
   const bool fixed = rating.input->face_load_computed;
-  const auto face = fixed ? std::nullopt
-                          : face_width_of_safety(pair, *rating.input, rating.wanted,
-                                                 kMostFaceModules * pair.normal_module);
-  const auto steel = steel_of_safety(pair, *rating.input, rating.wanted);
+  const auto width_under = [&](const std::vector<LoadBin>& steps) {
+    return face_width_of_safety(pair, *rating.input, rating.wanted,
+                                kMostFaceModules * pair.normal_module, steps);
+  };
+  auto face = fixed ? std::nullopt : width_under({});
+  if (face && rating.spectrum) {
+    const auto whole = width_under(rating.steps);
+    face = whole ? std::optional(std::max(*face, *whole)) : std::nullopt;
+  }
+  const auto steel = steel_of_safety(pair, *rating.input, rating.wanted, rating.steps);
   std::string text;
   if (face && *face > pair.face_width) {
     const double more = pair.halves * (*face - pair.face_width);
@@ -148,6 +154,7 @@ std::string rating_remedy(const JudgedRating& rating) {
       "No face width of up to {:g} modules and no other steel in the list would be sufficient "
       "on its own.",
       kMostFaceModules);
+  if (rating.spectrum) return text;
   const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
   // Rounding down ensures that the printed torque is permissible.
   if (torque)
@@ -159,7 +166,7 @@ std::string rating_remedy(const JudgedRating& rating) {
 std::vector<Finding> rating_findings(const JudgedRating& rating) {
   std::vector<Finding> findings;
   const Rating& r = *rating.rating;
-  const auto judge = [&](WarningCode code, const char* what, int gear, double safety,
+  const auto judge = [&](WarningCode code, std::string_view what, int gear, double safety,
                          double wanted) {
     if (safety >= wanted) return;
     const std::string less =
@@ -177,6 +184,11 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     const auto i = static_cast<std::size_t>(which - 1);
     judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
     judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
+    if (!rating.spectrum) continue;
+    judge(WarningCode::spectrum_safety, "root breakage under the load spectrum", which,
+          rating.spectrum->S_F[i], rating.wanted.root);
+    judge(WarningCode::spectrum_safety, "pitting under the load spectrum", which,
+          rating.spectrum->S_H[i], rating.wanted.flank);
   }
   // The findings are sorted by the ratio of the safety factor to its required value, the lowest
   // ratio first.

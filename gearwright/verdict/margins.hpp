@@ -21,11 +21,12 @@ std::vector<Finding> contact_findings(const PatternPlace& place);
 /// Returns a sentence with the changes that raise all safety factors to their required values, for
 /// example "6 mm more face width, or the steel 17CrNiMo6 would be sufficient." If no single change
 /// is sufficient, the text states this and, unless K_Hβ is computed from the load along the teeth,
-/// the greatest permissible torque.
+/// the greatest permissible torque. With a load spectrum, the safety factors under the spectrum are
+/// raised too, and the text has no torque.
 std::string rating_remedy(const JudgedRating& rating);
 
-/// Returns one finding for each safety factor below its required value. The finding is red if the
-/// safety factor is below 1, and otherwise amber.
+/// Returns one finding for each safety factor below its required value, under the single load and
+/// under the spectrum. The finding is red if the safety factor is below 1, and otherwise amber.
 std::vector<Finding> rating_findings(const JudgedRating& rating);
 
 }  // namespace gearwright::detail

@@ -181,9 +181,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
   const auto place = pattern_place(judged);
   std::string strength;  // the remedy shared by all findings about safety factors
   for (Finding& finding : findings) {
-    const bool safety =
-        finding.code == WarningCode::root_safety || finding.code == WarningCode::flank_safety;
-    if (safety && finding.at.empty() && judged.rating) {
+    if (is_safety(finding.code) && finding.at.empty() && judged.rating) {
       if (strength.empty()) strength = rating_remedy(*judged.rating);
       finding.remedy = strength;
     } else {

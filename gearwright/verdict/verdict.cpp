@@ -121,6 +121,17 @@ std::string gears_alone(const Judged& judged) {
                                                 : ", but not every gear to its tip diameter");
 }
 
+// Returns the sentence about the safety factors, which are those under the load spectrum if there
+// is one.
+std::string safety_sentence(const JudgedRating& judged) {
+  if (!judged.spectrum) return safety_words({judged.rating});
+  const SpectrumRating& s = *judged.spectrum;
+  return fmt::format(
+      " Under the load spectrum, the lowest safety factor is {:.2f} against pitting and {:.2f} "
+      "against root breakage.",
+      std::min(s.S_H[0], s.S_H[1]), std::min(s.S_F[0], s.S_F[1]));
+}
+
 // Returns the sentence about the operation of the gears. It is used only if no finding is red.
 std::string standing(const Judged& judged) {
   if (judged.rack && judged.rack->true_contact_ratio() < 1.0)
@@ -140,7 +151,7 @@ std::string standing(const Judged& judged) {
       (ends ? fmt::format(" Within the tolerances, the backlash is {:.4f} mm to {:.4f} mm.",
                           (*ends)[0], (*ends)[1])
             : "") +
-      (judged.rating ? safety_words({judged.rating->rating}) : "");
+      (judged.rating ? safety_sentence(*judged.rating) : "");
   if (!judged.contact || !judged.errors) return nominal;
   return "Under the errors, a tooth pair is in contact at every position. Without errors: " +
          nominal;
@@ -154,8 +165,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
     return fmt::format("{} has a problem: {}.", judged.gears.size() == 1 ? "The gear" : "Each gear",
                        against);
   }
-  if (worst.code == WarningCode::root_safety || worst.code == WarningCode::flank_safety)
-    return "The pair does not withstand its load. " + worst.whole();
+  if (is_safety(worst.code)) return "The pair does not withstand its load. " + worst.whole();
   std::string text = fmt::format("The pair does not run as specified: {}.", against);
   if (!worst.at.empty()) return text + " " + worst.whole();
   const ParallelPair* p = judged.pair->parallel();
@@ -237,6 +247,11 @@ const char* to_string(Level level) {
     case Level::red: return "red";
   }
   return "";
+}
+
+bool is_safety(WarningCode code) {
+  return code == WarningCode::root_safety || code == WarningCode::flank_safety ||
+         code == WarningCode::spectrum_safety;
 }
 
 std::string safety_words(const std::vector<const Rating*>& ratings) {
@@ -324,10 +339,7 @@ namespace {
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;
-  const auto is_safety = [](const Finding& f) {
-    return f.code == WarningCode::root_safety || f.code == WarningCode::flank_safety;
-  };
-  if (is_safety(a) && is_safety(b)) return false;
+  if (is_safety(a.code) && is_safety(b.code)) return false;
   return a.code < b.code;
 }
 

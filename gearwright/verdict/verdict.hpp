@@ -71,7 +71,8 @@ struct SpecChange {
 
 struct Finding {
   WarningCode code;  ///< code of a warning or of a margin (form_margin, fillet_margin, tip_margin,
-                     ///< edge_contact, contact_place, no_backlash, root_safety, flank_safety)
+                     ///< edge_contact, contact_place, no_backlash, root_safety, flank_safety,
+                     ///< spectrum_safety)
   Level level;       ///< green if the finding is for information only
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< one or more sentences each; the remedy may be empty
@@ -111,6 +112,8 @@ struct JudgedRating {
   const RatingInput* input = nullptr;
   const Rating* rating = nullptr;
   Safeties wanted{};
+  const SpectrumRating* spectrum = nullptr;  ///< null without a load spectrum
+  std::vector<LoadBin> steps{};              ///< of the spectrum
 };
 
 /// The data for a verdict. Its pointers must stay valid while a function below uses the data.
@@ -133,6 +136,9 @@ struct Judged {
                                                          ///< tolerances
   std::optional<JudgedRating> rating{};                  ///< none if not computed
 };
+
+/// True for a finding about a safety factor that is less than required.
+bool is_safety(WarningCode code);
 
 /// Returns, for example, " The lowest safety factor is 1.03 against pitting and 1.65 against root
 /// breakage." The minimum is taken over both gears and all ratings. Without a rating, the text is
