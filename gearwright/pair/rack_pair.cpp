@@ -135,7 +135,7 @@ void find_faults(RackPair& p) {
   for (const int tip : {1, 2}) {
     const double c = p.tip_clearance[static_cast<std::size_t>(tip - 1)];
     if (c >= -least) continue;
-    warn(p, WarningCode::root, tip == 1 ? 0 : 1,
+    warn(p, WarningCode::root, tip == 1 ? 2 : 1,
          fmt::format("The tip of the {} cuts {:.4f} mm into the root of the {}.",
                      tip == 1 ? "pinion" : "rack", -c, tip == 1 ? "rack" : "pinion"));
   }
