@@ -22,7 +22,9 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   if (arranged.ends && arranged.ends->lower.pair && arranged.ends->upper.pair) {
     const double least = arranged.ends->upper.pair->stated_backlash().normal;
     const double greatest = arranged.ends->lower.pair->stated_backlash().normal;
-    if (least != greatest) judged.backlash_ends = {least, greatest};
+    const bool other =
+        least != arranged.pair->stated_backlash().normal && tolerances_exclude_nominal(arranged);
+    if (least != greatest || other) judged.backlash_ends = {least, greatest};
   }
   if (arranged.pair) {
     const auto& gears = arranged.given->gears;
@@ -90,6 +92,7 @@ ToleranceCorner what_matters(const Arranged& arranged,
                              ToleranceCorner corner, const Finding& finding,
                              const JudgedWith& with) {
   for (std::size_t k = 0; k < corner.size(); ++k) {
+    if (tolerances[k].excludes_nominal) continue;
     ToleranceCorner less = corner;
     less[k].reset();
     if (std::none_of(less.begin(), less.end(), [](const auto& end) { return end.has_value(); }))

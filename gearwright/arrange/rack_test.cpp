@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "gearwright/arrange/judge.hpp"
 #include "gearwright/base/testing/taken.hpp"
@@ -71,7 +73,59 @@ TEST(ArrangedRack, verdict_proposes_a_tried_change) {
   ASSERT_TRUE(worst.change.has_value());
   ASSERT_TRUE(make_change(given, *worst.change));
   const Arranged changed = taken(arrange(given));
-  EXPECT_GT(changed.rack->normal_backlash(), 0.0);
+  EXPECT_GT(changed.rack->normal_backlash(), -no_backlash(2));
+}
+
+// The tip radius is 19.75 mm, and the root of the rack is 19.5 mm from the axis of the pinion.
+TEST(ArrangedRack, verdict_names_the_root_of_the_rack) {
+  GivenPair given = given_rack(0.0);
+  given.gear(1).cylindrical.teeth = 17;
+  given.gear(1).cylindrical.tip_diameter = 39.5;
+  const Verdict verdict = judge(taken(arrange(given)));
+  const auto root = std::find_if(verdict.findings.begin(), verdict.findings.end(),
+                                 [](const Finding& f) { return f.code == WarningCode::root; });
+  ASSERT_NE(root, verdict.findings.end());
+  EXPECT_EQ(root->gear, 2);
+  EXPECT_NE(root->remedy.find("the tip stays clear of the root of the rack."), std::string::npos)
+      << root->remedy;
+  ASSERT_TRUE(root->change.has_value());
+  ASSERT_TRUE(make_change(given, *root->change));
+  EXPECT_FALSE(warns(taken(arrange(given)), WarningCode::root));
+}
+
+// The backlash-free centre distance is 20 mm + 0.2 · 2 mm.
+TEST(ArrangedRack, verdict_proposes_a_centre_distance) {
+  GivenPair given = given_rack(0.2);
+  given.pair.center_distance = 20.4 - 0.7;
+  const Verdict verdict = judge(taken(arrange(given)));
+  const Finding& worst = verdict.findings.front();
+  ASSERT_EQ(worst.code, WarningCode::negative_backlash);
+  ASSERT_TRUE(worst.change.has_value());
+  EXPECT_EQ(worst.change->what, Adjustable::center_distance);
+  EXPECT_NEAR(worst.change->value, 20.4, 1e-9);
+}
+
+// Every warning of a rack and its pinion has a verdict, in which remedies are tried.
+TEST(ArrangedRack, verdict_covers_all_warnings) {
+  std::set<WarningCode> judged;
+  for (const int teeth : {9, 17, 22}) {
+    for (const double longer : {0.0, 1.5}) {
+      for (const double more : {-15.0, -7.0, -0.6, -0.1, 0.0, 0.3, 2.0, 5.0}) {
+        GivenPair given = given_rack(0.0);
+        given.gear(1).cylindrical.teeth = teeth;
+        given.gear(1).cylindrical.tip_diameter = 2 * teeth + 4 + longer;
+        if (teeth + more > 0.0) given.pair.center_distance = teeth + more;
+        const Verdict verdict = judge(taken(arrange(given)));
+        EXPECT_FALSE(verdict.headline.empty());
+        for (const Finding& finding : verdict.findings) judged.insert(finding.code);
+      }
+    }
+  }
+  for (const WarningCode code :
+       {WarningCode::no_contact, WarningCode::negative_backlash, WarningCode::root,
+        WarningCode::contact_lost_to_undercut, WarningCode::base_tangent,
+        WarningCode::contact_ratio, WarningCode::default_rack_body})
+    EXPECT_TRUE(judged.contains(code)) << static_cast<int>(code);
 }
 
 // The thickest teeth within the tolerance leave no backlash, although the mean teeth have one.

@@ -297,25 +297,37 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
   std::vector<TolerancedNumber> list;
   if (!nominal.ends) return list;
   const auto& [lower, upper] = *nominal.ends;
-  const auto add = [&](TolerancedNumber::Of of, int gear, double a, double b) {
-    if (a != b) list.push_back({of, gear, {std::min(a, b), std::max(a, b)}});
+  const auto add = [&](TolerancedNumber::Of of, int gear, double a, double b, double drawn) {
+    constexpr double kRounding = 1e-12;
+    const double noise = kRounding * std::abs(drawn);
+    const Ends ends{std::min(a, b), std::max(a, b)};
+    const bool excluded = drawn < ends[0] - noise || drawn > ends[1] + noise;
+    if (a != b || excluded) list.push_back({of, gear, ends, excluded});
   };
   if (nominal.pair &&
       (nominal.completed.pair.distance_deviations || nominal.completed.pair.distance_tolerance))
     add(TolerancedNumber::Of::distance, 0, lower.pair->center_distance(),
-        upper.pair->center_distance());
+        upper.pair->center_distance(), nominal.pair->center_distance());
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
     if (i >= nominal.gears.size()) break;
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
-          upper.gears[i].tip_diameter);
+          upper.gears[i].tip_diameter, nominal.gears[i].tip_diameter);
     // A given base cylinder determines the tooth thickness, which then has no tolerance.
     if (nominal.completed.gears[i]->basic) continue;
-    add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
-        upper.gears[i].spec.thickness_allowance);
+    // The nominal allowance is the mean of both limits.
+    const double thin = lower.gears[i].spec.thickness_allowance;
+    const double thick = upper.gears[i].spec.thickness_allowance;
+    add(TolerancedNumber::Of::thickness, which, thin, thick, thin);
   }
   return list;
+}
+
+bool tolerances_exclude_nominal(const Arranged& nominal) {
+  const std::vector<TolerancedNumber> tolerances = tolerances_of(nominal);
+  return std::any_of(tolerances.begin(), tolerances.end(),
+                     [](const TolerancedNumber& t) { return t.excludes_nominal; });
 }
 
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances) {

@@ -48,9 +48,15 @@ struct TolerancedNumber {
   enum class Of { thickness, tip, distance } of;
   int gear;   ///< 1 or 2; 0 for the pair
   Ends ends;  ///< least and greatest thickness allowance, tip diameter or centre distance, mm
+  bool excludes_nominal;  ///< true if the nominal tip diameter or centre distance is not between
+                          ///< `ends`
 };
 
 std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
+
+/// True if the nominal tip diameter of a gear or the nominal centre distance lies outside its
+/// tolerance, for example with the deviations 0.05 mm and 0.1 mm.
+bool tolerances_exclude_nominal(const Arranged& nominal);
 
 /// For each toleranced number, the end to use (0 or 1), or none for the nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/drive/drive_geometry.hpp"
 
 namespace gearwright {
 
@@ -103,12 +104,13 @@ std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& grou
   return fmt::format("{}", fmt::join(proposals, ", "));
 }
 
-// Lists the nearest numbers of planets below and above `count` that can be equally spaced.
-std::string counts_that_assemble(long long places, long long count) {
+// Lists the nearest numbers of planets below and above `count` that can be equally spaced. They are
+// at most `most`.
+std::string counts_that_assemble(long long places, long long count, long long most) {
   std::vector<std::string> found;
-  for (long long n = count - 1; n >= 1 && found.empty(); --n)
+  for (long long n = std::min(count - 1, most); n >= 1 && found.empty(); --n)
     if (places % n == 0) found.push_back(std::to_string(n));
-  for (long long n = count + 1; n <= places && n <= 2 * count; ++n) {
+  for (long long n = count + 1; n <= std::min({places, 2 * count, most}); ++n) {
     if (places % n != 0) continue;
     found.push_back(std::to_string(n));
     break;
@@ -182,7 +184,8 @@ long long assembly_places(const DriveGraph& graph, const PlanetGroup& group) {
   return places_of(mesh_conditions(graph, group), group.riders.size());
 }
 
-Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
+Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group,
+                          const DriveGeometry* geometry) {
   Assembly made;
   made.places = assembly_places(graph, group);
   const long long n = group.count;
@@ -218,13 +221,14 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
   }
   if (spacing == Spacing::equal) {
     const std::string others = teeth_that_assemble(graph, group);
+    const auto most = geometry ? most_copies(graph, group, *geometry) : std::nullopt;
     return Error{
         "drive.spacing", "equal",
         fmt::format("{} planets cannot be assembled at equal pitch, because {} is not a divisor of "
                     "{}, the number of possible positions per revolution. One of these changes "
                     "would help: {}{} planets; spacing \"nearest\"",
                     n, n, made.places, others.empty() ? "" : others + "; ",
-                    counts_that_assemble(made.places, n))};
+                    counts_that_assemble(made.places, n, most.value_or(2 * n)))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{"drive.spacing", "opposite",

@@ -17,6 +17,8 @@
 
 namespace gearwright {
 
+struct DriveGeometry;
+
 struct Assembly {
   long long places = 0;            ///< N*; 0 if any place is possible
   bool equal = false;              ///< true if the copies are at equal pitch
@@ -38,10 +40,12 @@ long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 /// n_i = floor(i N*/N + 1/2), [T13.13]. If the spacing is `equal_clocked` or N* = 0, they are at
 /// equal pitch instead. If there are fewer places than copies, some copies get the same place.
 ///
+/// `geometry`  if not null, the message proposes only numbers of planets that do not overlap
 /// Errors    `drive.spacing` if this spacing is impossible. For the spacing `equal`, the message
-///           proposes similar tooth numbers. `drive.positions` if the number of angles is not N, or
-///           if the teeth do not mesh at a given position. In the second case, the message gives
-///           the nearest place
-Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
+///           proposes similar tooth numbers and numbers of planets. `drive.positions` if the number
+///           of angles is not N, or if the teeth do not mesh at a given position. In the second
+///           case, the message gives the nearest place
+Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group,
+                          const DriveGeometry* geometry = nullptr);
 
 }  // namespace gearwright

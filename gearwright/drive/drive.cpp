@@ -116,7 +116,7 @@ std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
 
 Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmonics) {
   PlanetSet set{group, {}, {}, {}, {}, {}, {}};
-  auto assembly = assemble(drive.graph, group);
+  auto assembly = assemble(drive.graph, group, &drive.geometry);
   if (!assembly) return assembly.error();
   set.assembly = std::move(assembly).take();
   const std::vector<Rational>& turns = set.assembly.turns;

@@ -92,6 +92,10 @@ struct Neighbours {
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
+/// Returns Neighbours::most, or none if a distance or a gear is missing.
+std::optional<int> most_copies(const DriveGraph& graph, const PlanetGroup& group,
+                               const DriveGeometry& geometry);
+
 /// Computes the clearance between planets, and the greatest number of planets. Returns none if a
 /// distance or a gear is missing, or if an idler has no possible position. In the last case,
 /// `fault` gives the reason.

@@ -223,6 +223,14 @@ TEST(Drive, BadSetsNameWhatIsWrong) {
   set.planets = 5;
   set.spacing = Spacing::equal;
   EXPECT_EQ(error_field(set), "drive.spacing");
+  // 90 positions permit 3 and 5 planets, but 5 planets with 25 teeth overlap.
+  set = simple_set(20, 25, 70, 0.98, 0.99);
+  set.normal_module = 2.0;
+  set.planets = 4;
+  set.spacing = Spacing::equal;
+  const auto four = make_drive({testing::taken(graph_of(set)), {}});
+  ASSERT_FALSE(four);
+  EXPECT_NE(four.error().rule.find("; 3 planets; "), std::string::npos) << four.error().rule;
 }
 
 TEST(Drive, TrainMultipliesItsStages) {

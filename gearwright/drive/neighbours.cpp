@@ -72,7 +72,27 @@ double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>&
   return least;
 }
 
+// Returns the greatest number of copies at equal pitch whose tips do not overlap.
+int most_of(const std::vector<Rider>& riders) {
+  constexpr int kMost = 1000;  // greatest number of planets that is tried
+  for (int n = 2; n <= kMost; ++n) {
+    // At equal pitch, every distance between two copies also occurs between copy 0 and another one.
+    for (int i = 1; i < n; ++i)
+      for (const Rider& a : riders)
+        for (const Rider& b : riders)
+          if (tip_gap(a, b, 2 * std::numbers::pi * i / n) < 0.0) return n - 1;
+  }
+  return kMost;
+}
+
 }  // namespace
+
+std::optional<int> most_copies(const DriveGraph& graph, const PlanetGroup& group,
+                               const DriveGeometry& geometry) {
+  std::optional<Fault> ignored;
+  const auto riders = place_riders(graph, group, geometry, ignored);
+  return riders ? std::optional(most_of(*riders)) : std::nullopt;
+}
 
 std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
@@ -117,19 +137,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   std::vector<double> turned;
   for (const Rational& u : assembly.turns) turned.push_back(2 * std::numbers::pi * u.value());
   found.clearance = least_gap_of(*riders, turned);
-  constexpr int kMost = 1000;  // greatest number of planets that is tried
-  for (int n = 2; n <= kMost; ++n) {
-    turned.clear();
-    for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch, every distance between two copies also occurs between copy 0 and another one.
-    double gap = kInfinity;
-    for (int i = 1; i < n; ++i)
-      for (const Rider& a : *riders)
-        for (const Rider& b : *riders)
-          gap = std::min(gap, tip_gap(a, b, turned[static_cast<std::size_t>(i)]));
-    if (gap < 0.0) break;
-    found.most = n;
-  }
+  found.most = most_of(*riders);
   return found;
 }
 

@@ -301,8 +301,8 @@ DataGroup mate(const SolvedJob& job, int which, const std::string& number_of_mat
                         with_minus(fmt::format("{}", other.spec.teeth))});
   Records pair{pair_record(job), job.spec.units()};
   if (job.ends) {
-    auto [lower, upper] = pair_limits(job);
-    pair.ends = {std::move(lower), std::move(upper)};
+    RecordLimits limits = pair_limits(job);
+    pair.ends = {std::move(limits.lower), std::move(limits.upper)};
   }
   if (const auto& tolerance = job.completed.pair.distance_tolerance;
       tolerance && !pair.ends.empty()) {
@@ -331,8 +331,8 @@ std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
   Records gear{gear_quantities().of(job.gears[i]), units};
   Records measure{measure_records(job)[i], units};
   if (job.ends) {
-    auto [lower, upper] = gear_limits(job, i);
-    gear.ends = {std::move(lower), std::move(upper)};
+    RecordLimits limits = gear_limits(job, i);
+    gear.ends = {std::move(limits.lower), std::move(limits.upper)};
     measure.ends = measure_end_records(job)[i];
   }
   const bool halves = job.halves[i].has_value();

@@ -330,8 +330,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.pair = job.pair;
   if (job.rack) report.rack = &*job.rack;
   if (job.pair && job.ends) {
-    auto [lower, upper] = pair_limits(job);
-    report.pair_ends = {std::move(upper), std::move(lower)};
+    RecordLimits limits = pair_limits(job);
+    report.pair_ends = {std::move(limits.upper), std::move(limits.lower)};
   }
   for (int which = 1; options.wants("report") && which <= job.parts() && !job.rack; ++which)
     if (const auto body = make_body(job, which))

@@ -37,8 +37,7 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
   // Each limit has a separate listing, because the values of two gears already need two columns.
-  auto [lower, upper] = pair_limits(job);
-  const auto both = differing(std::move(lower), std::move(upper));
+  const auto both = differing(pair_limits(job));
   return "\nValues with the thinnest teeth and the most backlash\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
          "\nValues with the thickest teeth and the least backlash\n" +
@@ -86,20 +85,24 @@ std::string pair_listing(const SolvedJob& job) {
 }
 
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
-                             const std::array<ValueRecord, 2>& limits) {
-  const std::vector<ValueRecord> ends = differing(limits[0], limits[1]);
+                             const RecordLimits& limits) {
+  const std::vector<ValueRecord> ends = differing(limits);
   const UnitSystem units = job.spec.units();
   if (text_groups(table, ends, kListing, units, "-").empty()) return "";
   const std::string subject = gear_columns(job.gears.size())[gear];
   const Gear &one = job.ends->lower.gears[gear], &two = job.ends->upper.gears[gear];
-  const auto between = [&](const char* words, double a, double b) {
-    return a == b ? std::string()
-                  : fmt::format("the {} {} and {} {}", words, text_in(units, Unit::mm, a, 4),
-                                text_in(units, Unit::mm, b, 4), unit_text(units, Unit::mm));
+  const auto between = [&](const char* words, double a, double b, double drawn) {
+    return a == b && a == drawn
+               ? std::string()
+               : fmt::format("the {} {} and {} {}", words, text_in(units, Unit::mm, a, 4),
+                             text_in(units, Unit::mm, b, 4), unit_text(units, Unit::mm));
   };
   const std::string allowances =
-      between("thickness allowances", one.spec.thickness_allowance, two.spec.thickness_allowance);
-  const std::string tips = between("tip diameters", one.tip_diameter, two.tip_diameter);
+      between("thickness allowances", one.spec.thickness_allowance, two.spec.thickness_allowance,
+              one.spec.thickness_allowance);
+  const bool tip_given = job.completed.gears[gear]->tolerance.tip_deviations.has_value();
+  const std::string tips = between("tip diameters", one.tip_diameter, two.tip_diameter,
+                                   tip_given ? job.gears[gear].tip_diameter : one.tip_diameter);
   const bool both = !allowances.empty() && !tips.empty();
   const char* const distance = allowances.empty() && tips.empty() ? "both centre distances" : "";
   return fmt::format("\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "",

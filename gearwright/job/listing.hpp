@@ -17,6 +17,8 @@
 
 namespace gearwright {
 
+struct RecordLimits;
+
 /// Returns a line that consists of `before` and the title of the spec. The text is empty if the
 /// spec has no title.
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
@@ -42,7 +44,7 @@ std::string listing_of(UnitSystem units, const Quantities<S>& quantities,
 ///
 /// Domain    the job has tolerances (job.ends)
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
-                             const std::array<ValueRecord, 2>& limits);
+                             const RecordLimits& limits);
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units);
 std::string file_listing(const std::vector<JobFile>& files, UnitSystem units);

@@ -105,8 +105,7 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   return measure_quantities().of(measures);
 }
 
-std::array<ValueRecord, 2> measured_limits(const SolvedJob& job, std::size_t i,
-                                           const GearMeasures& nominal) {
+RecordLimits measured_limits(const SolvedJob& job, std::size_t i, const GearMeasures& nominal) {
   return limits_of(job, [&](const Arranged& at) { return measured_at(job, at, i, nominal); });
 }
 
@@ -119,8 +118,7 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
     records.emplace_back();
     const auto nominal = measured(job, static_cast<int>(i) + 1, job.pair, ignored);
     if (!nominal) continue;
-    auto [lower, upper] = measured_limits(job, i, *nominal);
-    records.back() = differing(std::move(lower), std::move(upper));
+    records.back() = differing(measured_limits(job, i, *nominal));
   }
   return records;
 }
@@ -131,8 +129,7 @@ Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& meas
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));
     if (!job.ends) continue;
-    const auto [lower, upper] = measured_limits(job, i, measures[i]);
-    measure["interval"] = interval_json(lower, upper);
+    measure["interval"] = interval_json(measured_limits(job, i, measures[i]));
   }
   return j;
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -49,12 +50,10 @@ Json job_record(const SolvedJob& job) {
   if (job.mounted()) j["pair"] = to_json(pair_record(job));
   if (job.ends) {
     for (std::size_t i = 0; i < job.gears.size(); ++i) {
-      const auto [lower, upper] = gear_limits(job, i);
-      j["gears"][i]["interval"] = interval_json(lower, upper);
+      j["gears"][i]["interval"] = interval_json(gear_limits(job, i));
     }
     if (job.pair) {
-      const auto [lower, upper] = pair_limits(job);
-      j["pair"]["interval"] = interval_json(lower, upper);
+      j["pair"]["interval"] = interval_json(pair_limits(job));
     }
   }
   return j;
@@ -101,23 +100,12 @@ bool differ(double a, double b) {
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));
 }
 
-Json interval_of(const Value& lower, const Value& upper) {
-  const auto a = lower.number(), b = upper.number();
-  if (a && b) return differ(*a, *b) ? Json{*a, *b} : Json();
-  if (lower.record() && upper.record()) {
-    Json inner = interval_json(*lower.record(), *upper.record());
-    return inner.empty() ? Json() : inner;
-  }
-  const ValueList *list = lower.list(), *other = upper.list();
-  if (!list || !other || list->size() != other->size()) return {};
-  Json values = Json::array();
-  bool any = false;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    if ((*list)[i].record()) return {};
-    values.push_back(interval_of((*list)[i], (*other)[i]));
-    any = any || !values.back().is_null();
-  }
-  return any ? values : Json();
+// True if x lies between a and b, or outside by a rounding error.
+bool encloses(double a, double b, double x) {
+  // Relative tolerance, because x may equal a limit except for rounding errors.
+  constexpr double kRounding = 1e-9;
+  const double noise = kRounding * std::max(std::abs(a), std::abs(b));
+  return x >= std::min(a, b) - noise && x <= std::max(a, b) + noise;
 }
 
 template <class Record>
@@ -127,19 +115,64 @@ auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record
   return it == record.end() ? nullptr : &*it;
 }
 
-// Hides the values that are equal in both records. Returns true if any values remain.
-bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
+const Value* drawn_value(const ValueRecord& record, const QuantityInfo* info) {
+  const Member* const m = same_quantity(record, info);
+  return m ? &m->value : nullptr;
+}
+
+Json interval_of(const ValueRecord& lower, const ValueRecord& upper, const ValueRecord& excluded);
+
+// Returns both limits if they differ from each other or from the excluded nominal value, and null
+// otherwise. Without an excluded value, `excluded` is null.
+Json interval_of(const Value& lower, const Value& upper, const Value* excluded) {
+  const auto a = lower.number(), b = upper.number();
+  const auto x = excluded ? excluded->number() : std::nullopt;
+  if (a && b) return differ(*a, *b) || (x && !encloses(*a, *b, *x)) ? Json{*a, *b} : Json();
+  if (lower.record() && upper.record()) {
+    const ValueRecord* const nominal = excluded ? excluded->record() : nullptr;
+    Json inner = interval_of(*lower.record(), *upper.record(), nominal ? *nominal : ValueRecord());
+    return inner.empty() ? Json() : inner;
+  }
+  const ValueList *list = lower.list(), *other = upper.list();
+  if (!list || !other || list->size() != other->size()) return {};
+  const ValueList* const nominal = excluded ? excluded->list() : nullptr;
+  Json values = Json::array();
+  bool any = false;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    if ((*list)[i].record()) return {};
+    const Value* const drawn = nominal && i < nominal->size() ? &(*nominal)[i] : nullptr;
+    values.push_back(interval_of((*list)[i], (*other)[i], drawn));
+    any = any || !values.back().is_null();
+  }
+  return any ? values : Json();
+}
+
+Json interval_of(const ValueRecord& lower, const ValueRecord& upper, const ValueRecord& excluded) {
+  Json j = Json::object();
+  for (const Member& m : lower) {
+    const Member* other = same_quantity(upper, m.info);
+    if (!other) continue;
+    Json value = interval_of(m.value, other->value, drawn_value(excluded, m.info));
+    if (!value.is_null()) j[m.info->key] = std::move(value);
+  }
+  return j;
+}
+
+// Hides the values that interval_of() omits. Returns true if any values remain.
+bool keep_differing(ValueRecord& lower, ValueRecord& upper, const ValueRecord& excluded) {
   bool any = false;
   for (Member& m : lower) {
     Member* const other = same_quantity(upper, m.info);
+    const Value* const drawn = drawn_value(excluded, m.info);
     bool kept = false;
     if (other && m.value.record() && other->value.record()) {
       ValueRecord a = *m.value.record(), b = *other->value.record();
-      kept = keep_differing(a, b);
+      const ValueRecord* const nominal = drawn ? drawn->record() : nullptr;
+      kept = keep_differing(a, b, nominal ? *nominal : ValueRecord());
       m.value = std::move(a);
       other->value = std::move(b);
     } else if (other) {
-      kept = !interval_of(m.value, other->value).is_null();
+      kept = !interval_of(m.value, other->value, drawn).is_null();
     }
     m.shown = m.shown && kept;
     if (other) other->shown = other->shown && kept;
@@ -153,12 +186,9 @@ void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other);
 
 // Widens the limits of a value so that they enclose `other`.
 void enclose(Value& lower, Value& upper, const Value& other) {
-  // Relative tolerance, because `other` may equal a limit except for rounding errors.
-  constexpr double kRounding = 1e-9;
   if (const auto a = lower.number(), b = upper.number(), x = other.number(); a && b && x) {
+    if (encloses(*a, *b, *x)) return;
     const double least = std::min(*a, *b), greatest = std::max(*a, *b);
-    const double noise = kRounding * std::max(std::abs(least), std::abs(greatest));
-    if (*x >= least - noise && *x <= greatest + noise) return;
     lower = std::min(least, *x);
     upper = std::max(greatest, *x);
   } else if (lower.record() && upper.record() && other.record()) {
@@ -185,35 +215,32 @@ void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other) {
 
 }  // namespace
 
-std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const RecordAt& record) {
-  std::array<ValueRecord, 2> ends{record(job.ends->lower), record(job.ends->upper)};
-  enclose(ends[0], ends[1], record(job));
-  for (const Arranged& corner : job.corners()) enclose(ends[0], ends[1], record(corner));
-  return ends;
+RecordLimits limits_of(const SolvedJob& job, const RecordAt& record) {
+  RecordLimits limits{record(job.ends->lower), record(job.ends->upper)};
+  if (tolerances_exclude_nominal(job)) {
+    limits.excluded = record(job);
+  } else {
+    enclose(limits.lower, limits.upper, record(job));
+  }
+  for (const Arranged& corner : job.corners()) enclose(limits.lower, limits.upper, record(corner));
+  return limits;
 }
 
-std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, std::size_t i) {
+RecordLimits gear_limits(const SolvedJob& job, std::size_t i) {
   return limits_of(job, [i](const Arranged& at) { return gear_quantities().of(at.gears[i]); });
 }
 
-std::array<ValueRecord, 2> pair_limits(const SolvedJob& job) {
+RecordLimits pair_limits(const SolvedJob& job) {
   return limits_of(job, [](const Arranged& at) { return pair_quantities().of(*at.pair); });
 }
 
-Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {
-  Json j = Json::object();
-  for (const Member& m : lower) {
-    const Member* other = same_quantity(upper, m.info);
-    if (!other) continue;
-    Json value = interval_of(m.value, other->value);
-    if (!value.is_null()) j[m.info->key] = std::move(value);
-  }
-  return j;
+Json interval_json(const RecordLimits& limits) {
+  return interval_of(limits.lower, limits.upper, limits.excluded);
 }
 
-std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper) {
-  keep_differing(lower, upper);
-  return {std::move(lower), std::move(upper)};
+std::vector<ValueRecord> differing(RecordLimits limits) {
+  keep_differing(limits.lower, limits.upper, limits.excluded);
+  return {std::move(limits.lower), std::move(limits.upper)};
 }
 
 namespace {

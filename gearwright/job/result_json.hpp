@@ -50,29 +50,34 @@ Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
 
 // The range of a record within the tolerances, as JSON and for listings. It contains only the
-// numbers that differ.
+// numbers that differ from each other or from the nominal value.
 
 /// A record of the gears and the pair of one combination of toleranced numbers.
 using RecordAt = std::function<ValueRecord(const Arranged&)>;
 
+struct RecordLimits {
+  ValueRecord lower, upper;
+  ValueRecord excluded{};  ///< the nominal values if the tolerances exclude them, otherwise empty
+};
+
 /// Returns the limits of each number of a record within the tolerances. They are the values at the
-/// lower and at the upper end. If another combination of ends or the nominal value lies outside
-/// them, the limits are the least and the greatest value instead.
+/// lower and at the upper end. If another combination of ends or a permitted nominal value lies
+/// outside them, the limits are the least and the greatest value instead.
 ///
 /// Domain    the job has tolerances (contract)
-std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const RecordAt& record);
+RecordLimits limits_of(const SolvedJob& job, const RecordAt& record);
 /// Return limits_of() for the quantities of the gear with index i, and for those of the pair.
-std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, std::size_t i);
-std::array<ValueRecord, 2> pair_limits(const SolvedJob& job);
+RecordLimits gear_limits(const SolvedJob& job, std::size_t i);
+RecordLimits pair_limits(const SolvedJob& job);
 
 /// Returns {key: [first limit, second limit]} for the numbers that differ. In contrast to other
 /// JSON results, this object also contains quantities that only the tables for users show, for
 /// example the thickness allowance. An inner record is an inner object. In a list, null replaces a
 /// number that does not differ. Lists of records are omitted.
-Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
+Json interval_json(const RecordLimits& limits);
 
 /// Returns both limits as records for a listing that shows only the rows that differ.
-std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper);
+std::vector<ValueRecord> differing(RecordLimits limits);
 
 // Converts a value of the catalogue to JSON, with the keys for JSON, and back.
 

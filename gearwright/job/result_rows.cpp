@@ -79,10 +79,7 @@ Json job_rows(const SolvedJob& job, UnitSystem units) {
         .name = "pair",
         .quantities = job.rack ? rack_pair_quantities().table() : pair_quantities().table(),
         .records = {pair_record(job)}};
-    if (job.pair && job.ends) {
-      const auto [lower, upper] = pair_limits(job);
-      pair.intervals.push_back(interval_json(lower, upper));
-    }
+    if (job.pair && job.ends) pair.intervals.push_back(interval_json(pair_limits(job)));
     rows = rows_json(units, pair);
   }
   RowTable gears{.name = "gears", .quantities = gear_quantities().table()};
@@ -91,9 +88,7 @@ Json job_rows(const SolvedJob& job, UnitSystem units) {
     gears.records.push_back(gear_record(job.gears[i], job.halves[i]));
     halves.records.push_back(job.halves[i] ? double_helical_quantities().of(*job.halves[i])
                                            : ValueRecord());
-    if (!job.ends) continue;
-    const auto [lower, upper] = gear_limits(job, i);
-    gears.intervals.push_back(interval_json(lower, upper));
+    if (job.ends) gears.intervals.push_back(interval_json(gear_limits(job, i)));
   }
   if (job.rack) {
     gears.records.emplace_back();  // the column of the rack

@@ -175,6 +175,51 @@ void expect_enclosed(const Json& interval, const Json& at, const std::string& pa
   }
 }
 
+// The nominal centre distance without backlash, 47.1969 mm, lies outside the tolerance.
+TEST(ToleranceEnds, exclude_a_nominal_value_outside_the_tolerance) {
+  Json spec{{"gear1", gear(17, nullptr)},
+            {"gear2", {{"teeth", 30}, {"face_width_mm", 20}}},
+            {"pair", {{"center_distance_deviations_mm", {0.05, 0.1}}}}};
+  spec["gear1"]["normal_module_mm"] = 2;
+  const auto at = [&](double deviation) {
+    Json plain = spec;
+    plain["pair"] = {{"center_distance_mm", 47.1969 + deviation}};
+    plain["gear2"]["profile_shift"] = 0;
+    return answer("pair", plain)["pair"]["backlash"]["normal_mm"].get<double>();
+  };
+  const Json drawn = answer("pair", spec)["pair"];
+  const double a = drawn["center_distance_mm"];
+  EXPECT_NEAR(a, 47.1969, 5e-5);
+  EXPECT_NEAR(drawn["interval"]["center_distance_mm"][0].get<double>(), a + 0.1, 1e-12);
+  EXPECT_NEAR(drawn["interval"]["center_distance_mm"][1].get<double>(), a + 0.05, 1e-12);
+  EXPECT_NEAR(drawn["interval"]["backlash"]["normal_mm"][0].get<double>(), at(0.1), 1e-4);
+  EXPECT_NEAR(drawn["interval"]["backlash"]["normal_mm"][1].get<double>(), at(0.05), 1e-4);
+
+  // Equal deviations are a tolerance of width 0 beside the nominal value.
+  spec["pair"]["center_distance_deviations_mm"] = {0.1, 0.1};
+  const Json equal = answer("pair", spec);
+  for (const int end : {0, 1}) {
+    EXPECT_NEAR(equal["pair"]["interval"]["center_distance_mm"][end].get<double>(), a + 0.1, 1e-12);
+    EXPECT_NEAR(equal["pair"]["interval"]["backlash"]["normal_mm"][end].get<double>(), at(0.1),
+                1e-4);
+  }
+  EXPECT_FALSE(equal["pair"]["interval"].contains("gear_ratio"));
+  const std::string headline = equal["verdict"]["headline"];
+  EXPECT_NE(headline.find(" Within the tolerances, the backlash is 0.076"), std::string::npos)
+      << headline;
+  EXPECT_EQ(headline.find(" mm to "), std::string::npos) << headline;
+
+  // At both ends of this tolerance the gears jam.
+  spec["pair"]["center_distance_deviations_mm"] = {-0.1, -0.1};
+  EXPECT_EQ(answer("pair", spec)["verdict"]["level"], "red");
+
+  spec["gear1"]["tolerance"] = {{"tip_diameter_deviations_mm", {-0.3, -0.2}}};
+  const Json tips = answer("gear", {{"gear1", spec["gear1"]}})["gears"][0];
+  const double tip = tips["tip_diameter_mm"];
+  EXPECT_NEAR(tips["interval"]["tip_diameter_mm"][0].get<double>(), tip - 0.3, 1e-12);
+  EXPECT_NEAR(tips["interval"]["tip_diameter_mm"][1].get<double>(), tip - 0.2, 1e-12);
+}
+
 TEST(ToleranceEnds, combinations_are_arranged_once_for_all_outputs) {
   const Json spec{{"gear1", gear(17, {-0.10, -0.06})},
                   {"gear2", gear(40, {-0.12, -0.08})},

@@ -119,23 +119,26 @@ void find_faults(RackPair& p) {
          "longer teeth would help.");
     return;
   }
-  if (!(p.true_contact_ratio() > 0.0)) {
-    warn(
-        p, WarningCode::no_contact, 0,
-        "No part of the path of contact lies on the usable flanks of pinion and rack. More profile "
-        "shift or a smaller centre distance would help.");
-    return;
-  }
-  if (p.stated_backlash().negative()) {
+  const bool jams = p.stated_backlash().negative();
+  if (jams) {
     warn(p, WarningCode::negative_backlash, 0,
          fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. At a centre "
                      "distance of {} mm, there is no backlash.",
                      p.normal_backlash(), format_number(p.backlash_free_center_distance)));
   }
+  if (!(p.true_contact_ratio() > 0.0)) {
+    // The teeth reach each other, so the rack is too close for its usable flank. If pinion and rack
+    // jam, more profile shift would reduce the backlash further.
+    warn(p, WarningCode::no_contact, 0,
+         fmt::format("No part of the path of contact lies on the usable flanks of pinion and rack. "
+                     "{} greater centre distance would help.",
+                     jams ? "A" : "More profile shift or a"));
+    return;
+  }
   for (const int tip : {1, 2}) {
     const double c = p.tip_clearance[static_cast<std::size_t>(tip - 1)];
     if (c >= -least) continue;
-    warn(p, WarningCode::root, tip == 1 ? 0 : 1,
+    warn(p, WarningCode::root, tip == 1 ? 2 : 1,
          fmt::format("The tip of the {} cuts {:.4f} mm into the root of the {}.",
                      tip == 1 ? "pinion" : "rack", -c, tip == 1 ? "rack" : "pinion"));
   }

@@ -137,6 +137,13 @@ TEST(RackPair, what_is_wrong_is_a_warning_and_what_cannot_be_an_error) {
   EXPECT_TRUE(has(undercut, WarningCode::contact_lost_to_undercut));
   EXPECT_FALSE(has(undercut, WarningCode::base_tangent));
   EXPECT_LT(undercut.true_contact_ratio(), undercut.transverse_contact_ratio());
+  // Without backlash, the centre distance is 17.66 mm.
+  const RackPair close = testing::taken(mount_rack(pinion(17, 2, 0.2, 10), {}, 10.0));
+  EXPECT_TRUE(has(close, WarningCode::negative_backlash));
+  EXPECT_EQ(close.warnings.back().code, WarningCode::no_contact);
+  EXPECT_NE(close.warnings.back().message.find(" A greater centre distance would help."),
+            std::string::npos)
+      << close.warnings.back().message;
   const Gear ring = testing::taken(make_gear({.teeth = -60, .normal_module = 2, .face_width = 20}));
   const auto refused = mount_rack(ring, {});
   ASSERT_FALSE(refused);

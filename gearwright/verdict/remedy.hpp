@@ -33,7 +33,7 @@ struct Means {
 
 struct Cure {
   WarningCode code;
-  const char* then;  ///< example: "gear {} is not undercut"; {} stands for a gear number, a contact
+  const char* then;  ///< example: "{} is not undercut"; {} stands for a gear, the rack, a contact
                      ///< ratio or a backlash
   std::vector<Means> means{};
   bool needs_contact = false;  ///< true if the finding comes from a contact analysis

@@ -40,12 +40,12 @@ constexpr const char* kBacklash = "the backlash is {:.4f} mm";
 
 const std::vector<Cure>& cures() {
   static const std::vector<Cure> kAll{
-      {C::through_axis, "gear {} can be cut", kGearGrows},
-      {C::severed, "the teeth of gear {} are not cut off at their roots", kGearGrows},
+      {C::through_axis, "{} can be cut", kGearGrows},
+      {C::severed, "the teeth of {} are not cut off at their roots", kGearGrows},
       {C::no_flank,
-       "gear {} has a usable flank",
+       "{} has a usable flank",
        {{A::profile_shift, W::own, +1}, {A::tip_diameter, W::own, +1}, {A::teeth, W::own, +1}}},
-      {C::no_body, "gear {} has a body", {{A::bore, W::own, -1}}},
+      {C::no_body, "{} has a body", {{A::bore, W::own, -1}}},
       {C::no_contact, kContactRatio, kLongerContact},
       {C::contact_ratio, kContactRatio, kLongerContact},
       {C::negative_backlash, kBacklash, kLooser},
@@ -53,10 +53,10 @@ const std::vector<Cure>& cures() {
       {C::contact_off_flank,
        "the teeth touch on their flanks",
        {{A::center_distance, W::pair, +1}, {A::center_distance, W::pair, -1}}},
-      {C::root, "the tip stays clear of the root of gear {}", kReachLess},
-      {C::base_tangent, "contact stays on the involute of gear {}", kReachLess},
-      {C::form_circle, "contact stays on the usable flank of gear {}", kReachLess},
-      {C::tip_to_fillet, "the tip corner stays clear of the root fillet of gear {}", kReachLess},
+      {C::root, "the tip stays clear of the root of {}", kReachLess},
+      {C::base_tangent, "contact stays on the involute of {}", kReachLess},
+      {C::form_circle, "contact stays on the usable flank of {}", kReachLess},
+      {C::tip_to_fillet, "the tip corner stays clear of the root fillet of {}", kReachLess},
       {C::trochoid,
        "the tips pass each other",
        {{A::tip_diameter, W::first, -1}, {A::tip_diameter, W::second, -1}}},
@@ -72,28 +72,26 @@ const std::vector<Cure>& cures() {
         {A::tip_diameter, W::own, -1},
         {A::profile_shift, W::own, +1},
         {A::center_distance, W::pair, +1}}},
-      {C::contact_lost_to_undercut, "undercut removes no part of the path of contact on gear {}",
+      {C::contact_lost_to_undercut, "undercut removes no part of the path of contact on {}",
        kGearGrows},
-      {C::undercut, "gear {} is not undercut", kGearGrows},
-      {C::thin_rim, "the rim of gear {} is thick enough", {{A::bore, W::own, -1}}},
-      {C::no_tip_clearance, "the tip of gear {} has clearance", kOwnTipShorter},
-      {C::tip_margin, "the tip clearance of gear {} is large enough", kOwnTipShorter},
-      {C::form_margin, "the form clearance of gear {} is large enough", kReachLess},
-      {C::fillet_margin, "the clearance to the fillet of gear {} is large enough", kReachLess},
-      {C::pointed, "gear {} is not pointed", kThinTip},
-      {C::thin_tip, "the tip of gear {} is thick enough", kThinTip},
+      {C::undercut, "{} is not undercut", kGearGrows},
+      {C::thin_rim, "the rim of {} is thick enough", {{A::bore, W::own, -1}}},
+      {C::no_tip_clearance, "the tip of {} has clearance", kOwnTipShorter},
+      {C::tip_margin, "the tip clearance of {} is large enough", kOwnTipShorter},
+      {C::form_margin, "the form clearance of {} is large enough", kReachLess},
+      {C::fillet_margin, "the clearance to the fillet of {} is large enough", kReachLess},
+      {C::pointed, "{} is not pointed", kThinTip},
+      {C::thin_tip, "the tip of {} is thick enough", kThinTip},
       {C::tip_below_base,
-       "the tip of gear {} lies outside its base circle",
+       "the tip of {} lies outside its base circle",
        {{A::tip_diameter, W::own, -1}}},
       {C::saddle_gap,
        "the flanks stay clear of each other beside the line of action",
        {{A::lead_crowning, W::first, +1}, {A::lead_crowning, W::second, +1}}},
       {C::nearly_parallel, "the axes are parallel", {{A::helix_angle, W::second, +1}}},
-      {C::face_width,
-       "the face of gear {} contains the line of action",
-       {{A::face_width, W::own, +1}}},
+      {C::face_width, "the face of {} contains the line of action", {{A::face_width, W::own, +1}}},
       {C::jam, "the gears do not jam", kLooser, true},
-      {C::contact_below_form, "contact stays on the usable flank of gear {}", kReachLess, true},
+      {C::contact_below_form, "contact stays on the usable flank of {}", kReachLess, true},
       {C::fillet_contact, "the tips stay clear of the root fillets", kReachLess, true},
       {C::edge_contact,
        "no edge is in contact",
@@ -141,8 +139,13 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
   int which = gear_of(means.whose, finding.gear);
   // With a rack, only the face width of the pinion can be changed.
   if (which == 0 && means.what == A::face_width && judged.gears.size() == 1) which = 1;
-  if (which > static_cast<int>(judged.gears.size())) return std::nullopt;
+  // No number of the rack is changed, so the pinion is changed instead.
+  if (judged.rack && means.whose == W::own && which == 2) which = 1;
+  // A finding of the pair has no own gear and no mating gear.
+  const bool of_pair = finding.gear == 0 && (means.whose == W::own || means.whose == W::mate);
+  if (of_pair || which > static_cast<int>(judged.gears.size())) return std::nullopt;
   const auto gear = [&](int n) -> const Gear& {
+    GW_EXPECTS(n >= 1 && n <= static_cast<int>(judged.gears.size()));
     return *judged.gears[static_cast<std::size_t>(n - 1)];
   };
   const double m = gear(1).spec.normal_module;
@@ -212,11 +215,16 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       lever.digits = 0;
       return lever;
     case A::center_distance:
-      if (!judged.pair || judged.distance_sets_shifts) return std::nullopt;
-      lever.now = judged.pair->center_distance();
-      lever.direction *= static_cast<int>(judged.pair->mounted().side());
+      if (!(judged.pair || judged.rack) || judged.distance_sets_shifts) return std::nullopt;
       lever.span = m;
       lever.digits = digits_for(m, 3);
+      if (judged.rack) {
+        lever.now = judged.rack->center_distance;
+        lever.hint = judged.rack->backlash_free_center_distance;
+        return lever;
+      }
+      lever.now = judged.pair->center_distance();
+      lever.direction *= static_cast<int>(judged.pair->mounted().side());
       if (p) lever.hint = p->backlash_free_center_distance;
       return lever;
   }
@@ -276,7 +284,9 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
   } else if (cure.then == kBacklash) {
     then = "the backlash is positive at both ends of every tolerance";
   } else {
-    then = fmt::format(fmt::runtime(cure.then), finding.gear);
+    const bool of_rack = judged.rack && finding.gear == 2;
+    then = fmt::format(fmt::runtime(cure.then),
+                       of_rack ? "the rack" : fmt::format("gear {}", finding.gear));
     const bool undercut =
         std::any_of(trial.findings.begin(), trial.findings.end(),
                     [](const Finding& f) { return f.code == WarningCode::undercut; });

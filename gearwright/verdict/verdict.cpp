@@ -148,9 +148,11 @@ std::string standing(const Judged& judged) {
   const auto& ends = judged.backlash_ends;
   const std::string nominal =
       judged.pair->visit([](const auto& pair) { return running(pair); }) +
-      (ends ? fmt::format(" Within the tolerances, the backlash is {:.4f} mm to {:.4f} mm.",
-                          (*ends)[0], (*ends)[1])
-            : "") +
+      (!ends ? ""
+       : (*ends)[0] == (*ends)[1]
+           ? fmt::format(" Within the tolerances, the backlash is {:.4f} mm.", (*ends)[0])
+           : fmt::format(" Within the tolerances, the backlash is {:.4f} mm to {:.4f} mm.",
+                         (*ends)[0], (*ends)[1])) +
       (judged.rating ? safety_sentence(*judged.rating) : "");
   if (!judged.contact || !judged.errors) return nominal;
   return "Under the errors, a tooth pair is in contact at every position. Without errors: " +
