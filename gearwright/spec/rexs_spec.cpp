@@ -25,6 +25,7 @@ class Reader {
   explicit Reader(const RexsModel& model) : model_(model) {}
 
   Result<RexsSpec> spec() {
+    if (auto error = rexs_number_error(model_)) return *error;
     if (auto error = find_stages()) return *error;
     auto links = rexs_links(model_, stages_);
     if (!links) return links.error();
@@ -299,12 +300,28 @@ class Reader {
         note(fmt::format("The tool of the {} is not read. The basic rack of ISO 53 replaces it.",
                          name));
     }
+    for (const auto& [copy, gear] : found.copies) {
+      note_differences(copy, gear);
+      note_differences(flank_of(*copy), flank_of(*gear));
+    }
     Json distances = Json::object();
     for (const auto& [name, mesh] : found.meshes) put(distances, name.c_str(), distance_of(mesh));
     const bool one = std::all_of(distances.begin(), distances.end(),
                                  [&](const Json& a) { return a == distances.front(); });
     if (!distances.empty()) set["center_distance_mm"] = one ? distances.front() : distances;
     return set;
+  }
+
+  // Adds a note for each number of a copy of a planet or of its mesh that differs from the first
+  // copy. [planetary] describes only the first copy.
+  void note_differences(const Component* copy, const Component* first) {
+    if (!copy || !first) return;
+    for (const auto& [attribute, text] : copy->attributes)
+      if (is_rexs_number(*copy, attribute) && copy->number(attribute) != first->number(attribute))
+        note(
+            fmt::format("The attribute `{}` of {} (id {}) is not read, because it differs from "
+                        "that of {} (id {}), but all planets of [planetary] are equal.",
+                        attribute, rexs_name(*copy), copy->id, rexs_name(*first), first->id));
   }
 
   static Json one_or_all(Json list) { return list.size() == 1 ? list[0] : list; }
