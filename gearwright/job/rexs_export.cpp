@@ -125,10 +125,15 @@ class Writer {
   }
 
   // Adds the tool of a gear. The default cutter of a ring is omitted, because Gearwright uses the
-  // same default cutter when it reads the file.
+  // same default cutter when it reads the file. Its root is then that of the usual rack.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
-    if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();
+    if (gear.cut_by && gear.cut_by->by_default) {
+      const StraightRack usual;
+      if (rack.dedendum != usual.dedendum || rack.root_fillet_radius != usual.root_fillet_radius)
+        leave_out("the basic rack of the internal gear");
+      return;
+    }
     const bool hob = !gear.cut_by;
     const std::string id = add(hob ? "rack_shaped_tool" : "cutter_wheel_tool", name + ", tool");
     RexsComponent& tool = last();

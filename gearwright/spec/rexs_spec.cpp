@@ -164,6 +164,16 @@ class Reader {
     return std::round((*generated - *x) * 2 * *module * std::tan(alpha) * 1e12) / 1e12;
   }
 
+  // Adds the usual rack to a gear 2 without a tool. Otherwise, it would have the rack of gear 1.
+  void give_usual_rack(const Json& one, Json& two, const Component& gear_2) {
+    if (!one.contains("rack") || two.contains("rack") || two.contains("cut_by")) return;
+    two["rack"] = "ISO53-A";
+    note(
+        fmt::format("The file has no tool that is read for gear {}. The basic rack ISO53-A of "
+                    "ISO 53 replaces it.",
+                    rexs_name(gear_2)));
+  }
+
   static void put(Json& table, const char* key, std::optional<double> value) {
     if (value) table[key] = *value;
   }
@@ -190,6 +200,7 @@ class Reader {
     Json spec = start();
     spec["gear1"] = gear_table(*s.gears[0], false);
     spec["gear2"] = gear_table(*s.gears[1], false);
+    give_usual_rack(spec["gear1"], spec["gear2"], *s.gears[1]);
     if (auto a = distance_of(s)) spec["pair"]["center_distance_mm"] = *a;
     add_pair_load(spec, s);
     return spec;
@@ -226,6 +237,7 @@ class Reader {
       if (!link.set) {
         const auto& [one, two] = link.pair.gears;
         stage["gears"] = {gear_table(*one, true), gear_table(*two, true)};
+        give_usual_rack(stage["gears"][0], stage["gears"][1], *two);
         if (auto a = distance_of(link.pair)) stage["center_distance_mm"] = *a;
         if (first) add_load(stage, *shaft_of(*one));
       } else {

@@ -76,6 +76,32 @@ TEST(Rexs, AStageIsAPair) {
   EXPECT_NE(s.notes[0].find("concept_bearing (1)"), std::string::npos);
 }
 
+// The rack of gear 1 is not that of gear 2, which has no tool, alone or in a chain.
+TEST(Rexs, AGearWithoutAToolHasTheUsualRack) {
+  const std::string tool =
+      component("t", "rack_shaped_tool",
+                "<attribute id=\"addendum_coefficient_reference_profile\">1.35</attribute>");
+  const std::string cut =
+      "<relation type=\"reference\"><ref role=\"origin\" id=\"1\"/><ref role=\"referenced\" "
+      "id=\"t\"/></relation>";
+  const std::string gears = gear("1", 16) + gear("2", 47, "ring_gear");
+  const RexsSpec pair =
+      read(file(stage("3", "1", "2") + cut, gears + tool + component("3", "cylindrical_stage")));
+  EXPECT_EQ(pair.tables["gear1"]["rack"]["dedendum"], 1.35);
+  EXPECT_EQ(pair.tables["gear2"]["rack"], "ISO53-A");
+  ASSERT_EQ(pair.notes.size(), 1u);
+  EXPECT_NE(pair.notes[0].find("gear \"g2\""), std::string::npos);
+  const Json chain =
+      read(file(stage("3", "1", "2") + stage("4", "5", "6") + cut + on("s1", "1") + on("s2", "2") +
+                    on("s2", "5") + on("s3", "6"),
+                gears + gear("5", 20) + gear("6", 40) + tool + component("3", "cylindrical_stage") +
+                    component("4", "cylindrical_stage") + component("s1", "shaft") +
+                    component("s2", "shaft") + component("s3", "shaft")))
+          .tables["stage"];
+  EXPECT_EQ(chain[0]["gears"][1]["rack"], "ISO53-A");
+  EXPECT_FALSE(chain[1]["gears"][1].contains("rack"));
+}
+
 // A pair whose stage and shaft have this attribute, and whose gear 1 has these teeth.
 std::string pair_with(const std::string& attribute, const std::string& teeth = "17") {
   const std::string gear_1 =
