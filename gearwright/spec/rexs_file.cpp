@@ -208,7 +208,7 @@ std::optional<std::string> RexsComponent::text(std::string_view attribute) const
 }
 
 void RexsComponent::set(const std::string& attribute, double value, const std::string& unit) {
-  attributes[attribute] = fmt::format("{}", value);
+  attributes[attribute] = fmt::format("{}", value == 0.0 ? 0.0 : value);  // 0 instead of −0
   units[attribute] = unit;
 }
 

@@ -356,6 +356,12 @@ TEST(Rexs, AModelReadsBack) {
   }
 }
 
+TEST(Rexs, AZeroHasNoSign) {
+  RexsComponent ring{"1", "ring_gear", ""};
+  ring.set("helix_angle_reference_diameter", -0.0, "deg");
+  EXPECT_EQ(ring.text("helix_angle_reference_diameter"), "0");
+}
+
 // The members of a JSON file are those of the public samples: ids are numbers, and the type of a
 // value is its name. A list with one number is a value, and longer lists are not read.
 TEST(Rexs, JsonIsReadAsXml) {
