@@ -144,6 +144,17 @@ class Rexs(unittest.TestCase):
                          for f in (source, path)]
                 self.assertAlmostEqual(roots[0], roots[1], delta=1e-9)
 
+    def test_a_full_root_radius_reads_back(self):
+        """At 25°, the radius 0.38 of ISO53-A does not fit, and the full radius replaces it."""
+        gear = "teeth = {}\nnormal_module_mm = 2\nnormal_pressure_angle_deg = 25\n"
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "pair.toml"
+            source.write_text(f"[gear1]\n{gear.format(20)}[gear2]\n{gear.format(40)}")
+            made = self.exported(source, folder)
+            one, two = (numbers(json.loads(raw("gear", str(f), "--json").stdout)["gears"]) for f in (source, made))
+            self.assertGreater(len(one), 20)
+            self.same_numbers(one, two)
+
     def test_torque_and_speed_of_a_pair_read_back(self):
         """The torque of a driving gear 2 is on its shaft in the file, and on gear 1 in the spec."""
         pair = (EXAMPLES / "spur_pair.toml").read_text()
