@@ -158,6 +158,19 @@ void note_default_tip(Gear& made, const GearInput& gear) {
                    made.tip_diameter, usual)});
 }
 
+// Adds a note if the gear's own cutter does not reach its given tip diameter, because the rack that
+// cuts the cutter ends its teeth.
+void note_cutter_tip(Gear& made, const Gear& cutter) {
+  if (!cutter.spec.tip_diameter || !cutter.tooth || !cutter.tooth->tip_cut_by_rack) return;
+  made.warnings.push_back(
+      {WarningCode::tip_cut_by_rack,
+       fmt::format(
+           "The teeth of the cutter in `cut_by` do not reach its `tip_diameter`, {:.4f} mm. "
+           "The bottom land of the rack that cuts them ends them at a diameter of {:.4f} "
+           "mm; a greater `cut_by.rack.addendum` leaves longer teeth.",
+           cutter.tip_diameter, 2 * cutter.tooth->tip_radius)});
+}
+
 std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made) {
   GearInput& gear = given.gear(which);
   CutByInput& cut = *gear.cut_by;
@@ -195,6 +208,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   if (auto error = check_agreement(gear, *result, which)) return error;
   Gear& cut_gear = made[static_cast<std::size_t>(which - 1)].emplace(std::move(result).take());
   note_default_tip(cut_gear, gear);
+  if (own) note_cutter_tip(cut_gear, *own);
   gear.cylindrical = cut_gear.spec;
   gear.helix_given = true;
   gear.profile_shift = cut_gear.spec.profile_shift;

@@ -45,6 +45,28 @@ TEST(CutGears, note_the_tip_that_the_root_of_the_cutter_determines) {
   EXPECT_EQ(note_of_tip(alone(usual)), "");
 }
 
+TEST(CutGears, note_the_tip_diameter_that_their_cutter_does_not_reach) {
+  const auto note_with = [](std::optional<double> tip_diameter) {
+    GearInput cutter =
+        GearInput::of(testing::plain_spec({.teeth = 25, .module = 2, .face_width = 20.0}));
+    StraightRack& rack = cutter.cylindrical.rack.emplace<StraightRack>();
+    rack.addendum = 1.25;
+    rack.tip_fillet_radius = 0.2;
+    cutter.cylindrical.tip_diameter = tip_diameter;
+    GearInput ring = shaped(-60, 25);
+    ring.cylindrical.tip_diameter = 116.0;
+    ring.cut_by->cutter = std::make_shared<GearInput>(cutter);
+    return note_of_tip(alone(ring));
+  };
+  EXPECT_NE(
+      note_with(200.0).find("200.0000 mm. The bottom land of the rack that cuts them ends them "
+                            "at a diameter of 55.0000 mm"),
+      std::string::npos)
+      << note_with(200.0);
+  EXPECT_EQ(note_with(55.0), "");
+  EXPECT_EQ(note_with(std::nullopt), "");
+}
+
 // The half angle of the cut tooth at this radius, rad. It is found by bisection along the flank.
 double half_angle(const Gear& gear, double radius) {
   const Arc& flank = *gear.tooth->outline.find(ArcName::flank);

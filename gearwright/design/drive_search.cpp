@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/design/drive_space.hpp"
 #include "gearwright/drive/drive_motion.hpp"
 #include "gearwright/drive/power_flow.hpp"
@@ -240,11 +241,19 @@ Result<Ends> ends_of(const DriveSearchProblem& problem) {
   };
   if (auto error = single(graph->fixed, "drive.fixed")) return *error;
   if (auto error = single(graph->inputs, "drive.input")) return *error;
-  const Ends ends{body(graph->fixed[0]), body(graph->inputs[0]), body(graph->output)};
-  if (ends.input == ends.fixed || ends.input == ends.output || ends.output == ends.fixed)
-    return Error{"drive.output", graph->bodies[graph->output].name,
-                 "the fixed body, the input and the output must be three different bodies"};
-  return ends;
+  if (auto error = ends_error(*graph)) {
+    std::vector<std::string> defaults;
+    const auto add_default = [&](bool given, const char* key, std::size_t b) {
+      if (!given) defaults.push_back(fmt::format("`{}` = \"{}\"", key, graph->bodies[b].name));
+    };
+    add_default(problem.base.fixed.has_value(), "fixed", graph->fixed[0]);
+    add_default(!problem.base.inputs.empty(), "input", graph->inputs[0]);
+    add_default(!problem.base.output.empty(), "output", graph->output);
+    if (!defaults.empty())
+      error->rule += fmt::format(". Defaults of keys that are not given: {}", enumerated(defaults));
+    return *error;
+  }
+  return Ends{body(graph->fixed[0]), body(graph->inputs[0]), body(graph->output)};
 }
 
 void find_efficiency(const DriveSearchProblem& problem, DriveCandidate& candidate) {

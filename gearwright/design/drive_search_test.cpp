@@ -290,6 +290,14 @@ TEST(DriveSearchTest, EndsAreThreeBodies) {
   EXPECT_EQ(search_drives(problem).error().field, "drive.output");
   problem.base.output = "ring2";
   EXPECT_EQ(search_drives(problem).error().field, "drive.output");
+  // The default input is the fixed sun.
+  problem = problem_of(DriveKind::planetary, {1.2, 1.5});
+  problem.base.fixed = {{"sun"}};
+  const Error error = search_drives(problem).error();
+  EXPECT_EQ(error.field, "drive.input");
+  EXPECT_EQ(error.value, "sun");
+  EXPECT_NE(error.rule.find("`input` = \"sun\""), std::string::npos);
+  EXPECT_EQ(error.rule.find("`fixed`"), std::string::npos);
 }
 
 // Returns the number of spur tooth pairs of one planet in contact at the sun, or at the ring if

@@ -17,12 +17,13 @@ bool holds(const std::vector<std::size_t>& list, std::size_t body) {
 
 std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
   const DriveBody& body = graph.bodies[index];
+  const auto wrong_count = [&](const std::string& rule) {
+    return refused(fmt::format("drive.body[{}].count", index + 1), body.count, rule);
+  };
   if (body.count < 1)
-    return refused("drive.body", body.count,
-                   fmt::format("body {} must have at least one copy", body.name));
+    return wrong_count(fmt::format("body {} must have at least one copy", body.name));
   if (body.count > 1 && !body.carrier)
-    return refused(
-        "drive.body", body.count,
+    return wrong_count(
         fmt::format("body {} has copies but no carrier; only a planet can have copies", body.name));
   if (!body.carrier) return std::nullopt;
   if (*body.carrier == index)
@@ -57,10 +58,10 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   if (a.body == b.body)
     return wrong(fmt::format("both gears are on body {}, but a mesh needs gears on two bodies",
                              graph.body(a).name));
-  if (a.rack) return wrong("names the rack first; the pinion must come first");
-  if (a.is_ring() && b.factor() < 0)
+  if (a.factor() < 0 && b.factor() < 0)
     return wrong(
         "neither gear is external, but a ring or a rack can mesh only with an external gear");
+  if (a.rack) return wrong("names the rack first; the pinion must come first");
   if (a.teeth + b.teeth == 0 && !b.rack)
     return wrong(
         fmt::format("ring and gear have the same number of teeth, {}, and cannot turn relative to "

@@ -103,7 +103,9 @@ Rational product_of_period(const std::vector<std::vector<Rational>>& speeds,
   return period;
 }
 
-std::optional<Error> check_ends(const DriveGraph& graph) {
+}  // namespace
+
+std::optional<Error> ends_error(const DriveGraph& graph) {
   for (const std::size_t in : graph.inputs) {
     if (graph.is_fixed(in))
       return Error{"drive.input", graph.bodies[in].name,
@@ -117,8 +119,6 @@ std::optional<Error> check_ends(const DriveGraph& graph) {
                  "the output is a fixed body; choose another output or another fixed body"};
   return std::nullopt;
 }
-
-}  // namespace
 
 double DriveMotion::speed(std::size_t body, const std::vector<double>& inputs) const {
   double sum = 0.0;
@@ -139,7 +139,7 @@ std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh) {
 
 Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   GW_EXPECTS(!graph.inputs.empty());
-  if (auto error = check_ends(graph)) return *error;
+  if (auto error = ends_error(graph)) return *error;
   const std::size_t n = graph.bodies.size();
   const std::size_t inputs = graph.inputs.size();
   RationalMatrix rows = mesh_rows(graph);

@@ -39,6 +39,10 @@ struct DriveMotion {
 /// Returns the row of a mesh in W.   Domain  a checked graph
 std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
+/// Returns an error with `drive.input` or `drive.output` if an input is fixed or is the output, or if
+/// the output is fixed.
+std::optional<Error> ends_error(const DriveGraph& graph);
+
 /// Computes the speeds of all bodies, the ratio and the degrees of freedom.
 ///
 /// Formula   W ω = 0 with ω = 0 for the fixed bodies, solved once for each input, with the speed 1

@@ -392,6 +392,25 @@ TEST(Drive, EveryCentralGearHasItsPhases) {
   }
 }
 
+TEST(Drive, AWrongGraphHasTheKeyAndTheReason) {
+  DriveGraph graph;
+  graph.bodies = {{"a", {}, 1, {}}, {"b", {}, 1, {}}};
+  graph.gears = {{"ring", 0, -60, {}, {}, {}}, {"rack", 1, 0, RackBar{}, {}, {}}};
+  for (const std::array<std::size_t, 2> order : {std::array<std::size_t, 2>{0, 1}, {1, 0}}) {
+    graph.meshes = {{"mesh", order, {}, {}}};
+    const auto error = check_graph(graph);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->rule.find("neither gear is external"), std::string::npos);
+  }
+  graph.gears[0].teeth = 17;  // the rack is still the first gear of the mesh
+  EXPECT_NE(check_graph(graph).value().rule.find("the pinion must come first"), std::string::npos);
+  graph.bodies[1].count = 3;
+  const auto error = check_graph(graph);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->field, "drive.body[2].count");
+  EXPECT_EQ(error->value, "3");
+}
+
 TEST(Drive, RackMovesOnePitchPerTooth) {
   DriveGraph graph;
   graph.bodies = {{"pinion", {}, 1, {}}, {"bar", {}, 1, {}}};

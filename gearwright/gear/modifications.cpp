@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -118,30 +119,31 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
   const Topography& t = *m.topography;
   const auto [inner, outer] = std::minmax({2 * e.rho_root_form, 2 * e.rho_tip_form});
   const double slack = kSameDiameter * outer;
-  const auto refusal = [&](const char* what, double value, const std::string& why) {
-    Error error = refused("topography", value, why);
-    error.rule = fmt::format("{}: {}", what, error.rule);
-    return error;
-  };
-  const auto range = [](double lo, double hi, double value) {
-    return fmt::format("the grid must cover the usable flank from {} mm to {} mm",
-                       format_number(lo, value), format_number(hi, value));
+  // The value of the key is the name of a file, so the number is part of the rule.
+  const auto refusal = [&](const char* what, double value, double lo, double hi) {
+    return Error{
+        "topography", "",
+        fmt::format(
+            "the {} of the grid is {} mm, but the grid must cover the usable flank "
+            "from {} mm to {} mm",
+            what,
+            with_digits(value, std::max(digits_between(value, lo), digits_between(value, hi))),
+            format_number(lo, value), format_number(hi, value))};
   };
   const double first = t.diameters.front(), last = t.diameters.back();
-  if (!(first <= inner + slack))
-    return refusal("least diameter", first, range(inner, outer, first));
-  if (!(last >= outer - slack))
-    return refusal("greatest diameter", last, range(inner, outer, last));
+  if (!(first <= inner + slack)) return refusal("least diameter", first, inner, outer);
+  if (!(last >= outer - slack)) return refusal("greatest diameter", last, inner, outer);
   const double half = e.face_width / 2;
   const double bottom = t.heights.front(), top = t.heights.back();
-  if (!(bottom <= -half * (1 - kSameDiameter)))
-    return refusal("least z", bottom, range(-half, half, bottom));
-  if (!(top >= half * (1 - kSameDiameter)))
-    return refusal("greatest z", top, range(-half, half, top));
+  if (!(bottom <= -half * (1 - kSameDiameter))) return refusal("least z", bottom, -half, half);
+  if (!(top >= half * (1 - kSameDiameter))) return refusal("greatest z", top, -half, half);
   for (const double c : t.removed) {
     if (std::abs(c) <= greatest) continue;
-    return refused("topography", in_um(c), {-greatest / kMmPerUm, greatest / kMmPerUm},
-                   std::string("the removed material in µm ") + kTenth);
+    Error error =
+        refused("topography", in_um(c), {-greatest / kMmPerUm, greatest / kMmPerUm}, kTenth);
+    error.rule = fmt::format("the grid removes {} µm, which {}", error.value, error.rule);
+    error.value.clear();
+    return error;
   }
   return std::nullopt;
 }

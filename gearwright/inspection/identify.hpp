@@ -153,7 +153,10 @@ struct Identification {
                                                ///< corrected gear has |x_E| ≤ 1
 };
 inline constexpr int kMostCandidates = 8;
-/// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size
+/// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size;
+///           `measured.lead` if its sign is not that of the helix angle, or if the helix angle is 0;
+///           `measured.root_diameter` if the root is not inside the tip (for an internal gear,
+///           outside) and a wrong unit does not explain this
 Result<Identification> identify(const IdentifyProblem& problem);
 
 }  // namespace gearwright

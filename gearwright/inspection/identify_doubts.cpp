@@ -2,12 +2,15 @@
 // gear may be implausible. A mistake in the number of teeth of the gear or of the spans, or in the
 // unit of a reading, may explain these findings.
 //                                              theory: docs/theory/10-inspection.md
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/inspection/identify_model.hpp"
 
 namespace gearwright {
@@ -137,6 +140,35 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
   return std::nullopt;
 }
 
+// Returns an error if the lead excludes the helix angle for every gear.
+std::optional<Error> lead_error(const IdentifyProblem& p) {
+  if (!p.lead.value) return std::nullopt;
+  for (const auto& beta : {p.helix_angle, p.helix.value}) {
+    if (!beta) continue;
+    if (beta->rad() == 0.0)
+      return refused("measured.lead", *p.lead.value,
+                     "cannot be combined with the helix angle 0°, because the lead of a spur gear "
+                     "is infinite; leave out one of the two");
+    if (*p.lead.value * beta->rad() < 0.0)
+      return refused(
+          "measured.lead", *p.lead.value,
+          fmt::format("has the other sign than the helix angle {}°; both are positive for "
+                      "right hand and negative for left hand",
+                      format_number(beta->deg())));
+  }
+  return std::nullopt;
+}
+
+// Returns an error if the tip diameter and the root diameter exclude each other for every gear.
+std::optional<Error> depth_error(const IdentifyProblem& p) {
+  if (!p.tip.value || !p.root.value) return std::nullopt;
+  const bool internal = p.teeth < 0;
+  if (internal ? *p.root.value > *p.tip.value : *p.root.value < *p.tip.value) return std::nullopt;
+  return refused("measured.root_diameter", *p.root.value,
+                 fmt::format("must be {} than the tip diameter, {} mm; check both readings",
+                             internal ? "greater" : "less", format_number(*p.tip.value)));
+}
+
 }  // namespace
 
 Result<Identification> identify(const IdentifyProblem& problem) {
@@ -148,10 +180,14 @@ Result<Identification> identify(const IdentifyProblem& problem) {
     return Error{"measured", "",
                  "no reading determines the size of the gear; measure spans over two numbers of "
                  "teeth and a dimension over balls"};
+  if (auto error = lead_error(problem)) return *error;
+  const auto error = depth_error(problem);
   Identification answer = without_contradiction(problem);
-  if (sound(answer) && is_usual(answer.candidates.front())) return answer;
+  if (!error && sound(answer) && is_usual(answer.candidates.front())) return answer;
   auto alternative = alternative_of(problem);
-  if (alternative && (!sound(answer) || is_usual(alternative->gear)))
+  // If one of the two diameters is in the wrong unit, the alternative states this.
+  if (error && !alternative) return *error;
+  if (alternative && (error || !sound(answer) || is_usual(alternative->gear)))
     answer.alternative = std::move(alternative);
   return answer;
 }

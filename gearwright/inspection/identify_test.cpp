@@ -99,6 +99,33 @@ TEST(Identify, refuses_what_says_nothing) {
   EXPECT_EQ(identify(p).error().field, "teeth");
 }
 
+TEST(Identify, refuses_readings_that_no_gear_has) {
+  const auto field = [](const IdentifyProblem& p) {
+    const auto found = identify(p);
+    return found ? std::string() : found.error().field;
+  };
+  for (const bool measured : {false, true}) {
+    const auto with = [&](double lead, double beta) {
+      IdentifyProblem p = broken_gear();
+      p.lead.value = lead;
+      (measured ? p.helix.value : p.helix_angle) = Angle::degrees(beta);
+      return field(p);
+    };
+    EXPECT_EQ(with(585, 18), "");
+    EXPECT_EQ(with(-585, -18), "");
+    EXPECT_EQ(with(-585, 18), "measured.lead");
+    EXPECT_EQ(with(585, -18), "measured.lead");
+    EXPECT_EQ(with(585, 0), "measured.lead");
+  }
+  IdentifyProblem p = broken_gear();
+  for (const double root : {70.0, 66.71}) {
+    p.root.value = root;
+    EXPECT_EQ(field(p), "measured.root_diameter") << root;
+  }
+  p.root.value = 55.5;
+  EXPECT_EQ(field(p), "");
+}
+
 struct Workshop : testing::Draw {
   using Draw::Draw;
   double normal() {  // by Box and Muller, to get the same numbers on every machine

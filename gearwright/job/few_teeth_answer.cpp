@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/pair/partners.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -71,9 +72,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
         "gear2.root_fillet", "",
         "is determined by the pinion, which cuts the root of the wheel; leave out this key"};
   if (wheel.profile_shift) return refused("gear2.profile_shift", *wheel.profile_shift, kChosen);
-  if (pinion.teeth < 0)
-    return Error{"gear1.teeth", std::to_string(pinion.teeth),
-                 "the internal gear of a pair is gear 2; exchange the two gears"};
+  if (pinion.teeth < 0) return internal_gear_1(pinion.teeth, teeth.teeth);
   if (const auto& sigma = spec.pair.shaft_angle; sigma && sigma->rad() != 0.0)
     return refused(
         "pair.shaft_angle", sigma->deg(),

@@ -12,6 +12,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/pair/partners.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -123,10 +124,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
                     "if helix angles or profile shifts are to be computed",
                     format_number(c1.normal_pressure_angle.deg())));
   }
-  if (p.teeth[0] < 0) {
-    return refused("gear1.teeth", p.teeth[0],
-                   "the internal gear of a pair is gear 2; exchange the two gears");
-  }
+  if (p.teeth[0] < 0) return internal_gear_1(p.teeth[0], p.teeth[1]);
   if (p.teeth[1] < 0 && -p.teeth[1] <= p.teeth[0]) {
     return refused(
         "gear2.teeth", p.teeth[1],

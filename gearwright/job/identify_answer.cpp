@@ -258,12 +258,15 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   std::string text;
   if (const auto& c = found.contradiction) {
     const char* const unit = reading_unit(c->reading);
+    const bool spur = c->reading == Reading::lead && c->expected == 0.0;
+    const std::string expected =
+        spur ? "infinite, as for a spur gear" : format_number(c->expected, c->value) + unit;
     text += fmt::format(
         "\n{}The gears below agree with all other readings.\n",
         sentence_in(units, fmt::format("The {} contradicts the other readings, because it is {}{} "
-                                       "instead of {}{}. ",
+                                       "instead of {}. ",
                                        tool_text(c->reading, c->tool), format_number(c->value),
-                                       unit, format_number(c->expected, c->value), unit)));
+                                       unit, expected)));
   }
   if (!found.reason.empty()) text += "\n" + sentence_in(units, capitalised(found.reason)) + ".\n";
   if (found.alternative) text += "\n" + alternative_text(found, units) + "\n";

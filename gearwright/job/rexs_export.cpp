@@ -16,6 +16,16 @@ namespace {
 
 constexpr double kRigid = 1e20;  // N mm/rad, stiffness of a rigid coupling in the public samples
 
+// Returns ρ_fP* of the rack. If the radius of a named rack does not fit, the full radius replaces
+// it. The full radius is rounded down, because a file may not contain a radius that does not fit.
+double fitting_radius(const CylindricalSpec& spec) {
+  constexpr double kRounded = 1e12;  // 12 decimals
+  const StraightRack& rack = spec.straight_rack();
+  const double full =
+      std::floor(full_radius(rack, spec.normal_pressure_angle) * kRounded) / kRounded;
+  return rack.named ? std::min(rack.root_fillet_radius, full) : rack.root_fillet_radius;
+}
+
 class Writer {
  public:
   explicit Writer(const std::string& title) {
@@ -125,10 +135,15 @@ class Writer {
   }
 
   // Adds the tool of a gear. The default cutter of a ring is omitted, because Gearwright uses the
-  // same default cutter when it reads the file.
+  // same default cutter when it reads the file. Its root is then that of the usual rack.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
-    if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();
+    if (gear.cut_by && gear.cut_by->by_default) {
+      const StraightRack usual;
+      if (rack.dedendum != usual.dedendum || rack.root_fillet_radius != usual.root_fillet_radius)
+        leave_out("the basic rack of the internal gear");
+      return;
+    }
     const bool hob = !gear.cut_by;
     const std::string id = add(hob ? "rack_shaped_tool" : "cutter_wheel_tool", name + ", tool");
     RexsComponent& tool = last();
@@ -136,7 +151,7 @@ class Writer {
     tool.set("normal_pressure_angle", gear.spec.normal_pressure_angle.deg(), "deg");
     if (hob) {
       tool.set("addendum_coefficient_reference_profile", rack.dedendum, "none");
-      tool.set("tip_radius_factor", rack.root_fillet_radius, "none");
+      tool.set("tip_radius_factor", fitting_radius(gear.spec), "none");
     } else {
       const int z0 = gear.cut_by->cutter_teeth;
       const double reference =

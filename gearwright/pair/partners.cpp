@@ -115,14 +115,18 @@ bool axes_are_parallel(const BasePair<double>& gears) {
   return std::abs(gears[0].helix_angle + side_of(gears) * gears[1].helix_angle) <= kSamePitch;
 }
 
+Error internal_gear_1(int teeth_1, int teeth_2) {
+  return refused(gear_field(1, "teeth"), teeth_1,
+                 teeth_2 < 0 ? "both gears are internal, but an internal gear meshes only with an "
+                               "external gear; give gear 1 a positive number of teeth"
+                             : "the internal gear of a pair is gear 2; exchange the two gears");
+}
+
 std::optional<Error> check_partners(const CylindricalSpec& g1, const CylindricalSpec& g2,
                                     const std::optional<Angle>& shaft_angle) {
   const int z1 = g1.teeth;
   const int z2 = g2.teeth;
-  if (z1 < 0) {
-    return refused(gear_field(1, "teeth"), z1,
-                   "the internal gear of a pair is gear 2; exchange the two gears");
-  }
+  if (z1 < 0) return internal_gear_1(z1, z2);
   if (z2 < 0 && -z2 <= z1) {
     return refused(
         gear_field(2, "teeth"), z2,

@@ -31,6 +31,9 @@ bool axes_are_parallel(const BasePair<double>& gears);
 std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,
                                     const std::optional<Angle>& shaft_angle);
 
+/// The error of a pair whose gear 1 is internal.   Domain  teeth_1 < 0
+Error internal_gear_1(int teeth_1, int teeth_2);
+
 /// The requested position of a pair.
 struct PairSpec {
   std::optional<double> center_distance = {};  ///< a  mm; by default the backlash-free distance, or

@@ -58,6 +58,8 @@ TEST(Partners, rings_run_on_parallel_axes) {
   EXPECT_TRUE(has(refused(spec(20, 15_deg), spec(-60, 20_deg)), "same hand"));
   EXPECT_TRUE(has(refused(spec(20, 15_deg), spec(-60, 15_deg), 10_deg), "must be 0"));
   EXPECT_TRUE(has(refused(spec(-60, 15_deg), spec(20, 15_deg)), "exchange"));
+  EXPECT_TRUE(has(refused(spec(-60, 15_deg), spec(-20, 15_deg)),
+                  "gear1.teeth = -60: both gears are internal"));
 }
 
 TEST(CompletePlace, takes_the_least_distance_where_nothing_is_said) {

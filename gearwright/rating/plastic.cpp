@@ -1,5 +1,7 @@
 #include "gearwright/rating/plastic.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,10 +38,14 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
                         double number, double celsius, const char* what) {
   if (list.empty()) return number;
   if (const auto value = at_temperature(list, celsius)) return *value;
-  return refused(gear_field(gear_at(pair, place), "material.temperatures"), celsius,
-                 {list.front()[0], list.back()[0]},
-                 std::string("is the temperature in °C of the ") + what +
-                     ", but the values of this plastic are given only from {} to {} °C");
+  Error error = refused(gear_field(gear_at(pair, place), "material.temperatures"), celsius,
+                        {list.front()[0], list.back()[0]},
+                        "the values of this plastic are given only from {} to {} °C");
+  // The computed temperature is not the value of the key.
+  error.rule =
+      fmt::format("the temperature of the {} is {} °C, but {}", what, error.value, error.rule);
+  error.value.clear();
+  return error;
 }
 
 Factor given_or_one(const std::optional<double>& factor) {

@@ -195,6 +195,7 @@ TEST(Plastic, Refuses) {
   in = load(20.0);
   EXPECT_EQ(field(in), "gear2.material.temperatures");
   EXPECT_NE(rate(pair, in).error().message().find("100 °C"), std::string::npos);
+  EXPECT_EQ(rate(pair, in).error().value, "");
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include "gearwright/base/printable.hpp"
@@ -204,24 +202,13 @@ std::string rexs_json(const RexsModel& model) {
 
 }  // namespace
 
-std::optional<double> RexsComponent::number(std::string_view attribute) const {
-  const auto it = attributes.find(attribute);
-  if (it == attributes.end()) return std::nullopt;
-  const std::string& text = it->second;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value == 0.0 ? 0.0 : value;  // gives 0 instead of −0
-}
-
 std::optional<std::string> RexsComponent::text(std::string_view attribute) const {
   const auto it = attributes.find(attribute);
   return it == attributes.end() ? std::nullopt : std::optional(it->second);
 }
 
 void RexsComponent::set(const std::string& attribute, double value, const std::string& unit) {
-  attributes[attribute] = fmt::format("{}", value);
+  attributes[attribute] = fmt::format("{}", value == 0.0 ? 0.0 : value);  // 0 instead of −0
   units[attribute] = unit;
 }
 

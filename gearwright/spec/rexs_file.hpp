@@ -27,7 +27,7 @@ struct RexsComponent {
   std::map<std::string, std::string, std::less<>> attributes{};
   std::map<std::string, std::string, std::less<>> units{};
 
-  /// Returns the value of an attribute, or nothing if it is absent or not a number.
+  /// Returns the value of an attribute, or nothing if it is absent or not a decimal number.
   std::optional<double> number(std::string_view attribute) const;
   std::optional<std::string> text(std::string_view attribute) const;
   void set(const std::string& attribute, double value, const std::string& unit);
@@ -70,6 +70,14 @@ struct RexsModel {
 ///           damaged, encrypted or too large, or that does not contain exactly one REXS file
 Result<RexsModel> read_rexs(std::string_view file);
 
+/// True if spec_of_rexs() reads this attribute of the component as a number.
+bool is_rexs_number(const RexsComponent& component, std::string_view attribute);
+
+/// Returns an error if an attribute that is read as a number is not a decimal number or has another
+/// unit than REXS specifies for it, or if a number of teeth is not whole or is too large. The error
+/// names the component, the attribute and the value. An attribute without a unit has its usual unit.
+std::optional<Error> rexs_number_error(const RexsModel& model);
+
 /// True if the name ends in .rexs (XML), .rexsj (JSON) or .rexsz (a ZIP archive).
 bool is_rexs(const std::filesystem::path& path);
 
@@ -87,7 +95,7 @@ struct RexsSpec {
   std::vector<std::string> notes;  ///< one sentence about each part that was not read
 };
 
-/// Errors    a model without cylindrical stages, or with stages of another type; stages that form
+/// Errors    those of rexs_number_error(); a model without cylindrical stages, or with stages of another type; stages that form
 ///           neither a chain nor planetary sets (rexs_chain, set_of_rexs); members of a planetary
 ///           set with different modules or pressure angles; a stage without two gears; a gear without
 ///           a number of teeth

@@ -116,7 +116,10 @@ class SetFinder {
                         "which may be stepped with two gears or paired with an idler",
                         rexs_name(*kinds[0].second[0])));
       set_.gears[names[k]] = copies[0];
-      for (const Component* gear : copies) member_[gear] = names[k];
+      for (const Component* gear : copies) {
+        member_[gear] = names[k];
+        if (gear != copies[0]) set_.copies.push_back({gear, copies[0]});
+      }
     }
     set_.planets = kinds[0].second.size();
     return std::nullopt;
@@ -165,7 +168,8 @@ class SetFinder {
       // The order is sun, idler, planet, ring.
       const auto rank = [](const std::string& n) { return std::string("sipr").find(n.front()); };
       if (rank(names[0]) > rank(names[1])) std::swap(names[0], names[1]);
-      set_.meshes.emplace(names[0] + "_" + names[1], s);
+      const auto [first, is_new] = set_.meshes.emplace(names[0] + "_" + names[1], s);
+      if (!is_new) set_.copies.push_back({s.stage, first->second.stage});
     }
     return std::nullopt;
   }

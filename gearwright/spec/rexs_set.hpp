@@ -22,7 +22,9 @@ namespace gearwright {
 bool is_rexs_gear(const RexsComponent& component);
 /// Returns the name of a component in quotation marks or, if it has no name, its type and its id.
 std::string rexs_name(const RexsComponent& component);
-/// z, which is negative for a ring.   Domain  a gear with `number_of_teeth`
+/// z, which is negative for a ring.
+///
+/// Domain    a gear with `number_of_teeth`, of a model without rexs_number_error()
 int rexs_teeth(const RexsComponent& gear);
 
 struct RexsStage {
@@ -42,6 +44,8 @@ struct RexsSet {
   std::map<std::string, const RexsComponent*> gears;  ///< by member; for several copies of a
                                                       ///< planet, the first copy
   std::map<std::string, RexsStage> meshes;            ///< by the name of the mesh in [planetary]
+  /// The other copies of the planets and their meshes, each with the first copy.
+  std::vector<std::array<const RexsComponent*, 2>> copies;
   std::size_t planets = 0;
   /// The central bodies and the carrier, each with the ids of the shafts that turn with it.
   std::map<std::string, std::set<std::string>> bodies;

@@ -25,6 +25,7 @@ class Reader {
   explicit Reader(const RexsModel& model) : model_(model) {}
 
   Result<RexsSpec> spec() {
+    if (auto error = rexs_number_error(model_)) return *error;
     if (auto error = find_stages()) return *error;
     auto links = rexs_links(model_, stages_);
     if (!links) return links.error();
@@ -163,6 +164,16 @@ class Reader {
     return std::round((*generated - *x) * 2 * *module * std::tan(alpha) * 1e12) / 1e12;
   }
 
+  // Adds the usual rack to a gear 2 without a tool. Otherwise, it would have the rack of gear 1.
+  void give_usual_rack(const Json& one, Json& two, const Component& gear_2) {
+    if (!one.contains("rack") || two.contains("rack") || two.contains("cut_by")) return;
+    two["rack"] = "ISO53-A";
+    note(
+        fmt::format("The file has no tool that is read for gear {}. The basic rack ISO53-A of "
+                    "ISO 53 replaces it.",
+                    rexs_name(gear_2)));
+  }
+
   static void put(Json& table, const char* key, std::optional<double> value) {
     if (value) table[key] = *value;
   }
@@ -189,6 +200,7 @@ class Reader {
     Json spec = start();
     spec["gear1"] = gear_table(*s.gears[0], false);
     spec["gear2"] = gear_table(*s.gears[1], false);
+    give_usual_rack(spec["gear1"], spec["gear2"], *s.gears[1]);
     if (auto a = distance_of(s)) spec["pair"]["center_distance_mm"] = *a;
     add_pair_load(spec, s);
     return spec;
@@ -225,6 +237,7 @@ class Reader {
       if (!link.set) {
         const auto& [one, two] = link.pair.gears;
         stage["gears"] = {gear_table(*one, true), gear_table(*two, true)};
+        give_usual_rack(stage["gears"][0], stage["gears"][1], *two);
         if (auto a = distance_of(link.pair)) stage["center_distance_mm"] = *a;
         if (first) add_load(stage, *shaft_of(*one));
       } else {
@@ -299,12 +312,28 @@ class Reader {
         note(fmt::format("The tool of the {} is not read. The basic rack of ISO 53 replaces it.",
                          name));
     }
+    for (const auto& [copy, gear] : found.copies) {
+      note_differences(copy, gear);
+      note_differences(flank_of(*copy), flank_of(*gear));
+    }
     Json distances = Json::object();
     for (const auto& [name, mesh] : found.meshes) put(distances, name.c_str(), distance_of(mesh));
     const bool one = std::all_of(distances.begin(), distances.end(),
                                  [&](const Json& a) { return a == distances.front(); });
     if (!distances.empty()) set["center_distance_mm"] = one ? distances.front() : distances;
     return set;
+  }
+
+  // Adds a note for each number of a copy of a planet or of its mesh that differs from the first
+  // copy. [planetary] describes only the first copy.
+  void note_differences(const Component* copy, const Component* first) {
+    if (!copy || !first) return;
+    for (const auto& [attribute, text] : copy->attributes)
+      if (is_rexs_number(*copy, attribute) && copy->number(attribute) != first->number(attribute))
+        note(
+            fmt::format("The attribute `{}` of {} (id {}) is not read, because it differs from "
+                        "that of {} (id {}), but all planets of [planetary] are equal.",
+                        attribute, rexs_name(*copy), copy->id, rexs_name(*first), first->id));
   }
 
   static Json one_or_all(Json list) { return list.size() == 1 ? list[0] : list; }

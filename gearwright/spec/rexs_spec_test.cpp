@@ -1,7 +1,8 @@
 // Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of
 // its shafts, and a planetary stage, alone or in a chain, has the teeth of its members   (3) broken
 // input is an error   (4) a gear or a stage that is no part of the drive that is read is an error
-// with its name.
+// with its name   (5) a number that is read is a decimal number in the unit of its attribute; other
+// texts and units are errors.
 #include "gearwright/spec/rexs_file.hpp"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,85 @@ TEST(Rexs, AStageIsAPair) {
   EXPECT_EQ(s.tables["pair"]["center_distance_mm"], 44.5);
   ASSERT_EQ(s.notes.size(), 1u);
   EXPECT_NE(s.notes[0].find("concept_bearing (1)"), std::string::npos);
+}
+
+// The rack of gear 1 is not that of gear 2, which has no tool, alone or in a chain.
+TEST(Rexs, AGearWithoutAToolHasTheUsualRack) {
+  const std::string tool =
+      component("t", "rack_shaped_tool",
+                "<attribute id=\"addendum_coefficient_reference_profile\">1.35</attribute>");
+  const std::string cut =
+      "<relation type=\"reference\"><ref role=\"origin\" id=\"1\"/><ref role=\"referenced\" "
+      "id=\"t\"/></relation>";
+  const std::string gears = gear("1", 16) + gear("2", 47, "ring_gear");
+  const RexsSpec pair =
+      read(file(stage("3", "1", "2") + cut, gears + tool + component("3", "cylindrical_stage")));
+  EXPECT_EQ(pair.tables["gear1"]["rack"]["dedendum"], 1.35);
+  EXPECT_EQ(pair.tables["gear2"]["rack"], "ISO53-A");
+  ASSERT_EQ(pair.notes.size(), 1u);
+  EXPECT_NE(pair.notes[0].find("gear \"g2\""), std::string::npos);
+  const Json chain =
+      read(file(stage("3", "1", "2") + stage("4", "5", "6") + cut + on("s1", "1") + on("s2", "2") +
+                    on("s2", "5") + on("s3", "6"),
+                gears + gear("5", 20) + gear("6", 40) + tool + component("3", "cylindrical_stage") +
+                    component("4", "cylindrical_stage") + component("s1", "shaft") +
+                    component("s2", "shaft") + component("s3", "shaft")))
+          .tables["stage"];
+  EXPECT_EQ(chain[0]["gears"][1]["rack"], "ISO53-A");
+  EXPECT_FALSE(chain[1]["gears"][1].contains("rack"));
+}
+
+// A pair whose stage and shaft have this attribute, and whose gear 1 has these teeth.
+std::string pair_with(const std::string& attribute, const std::string& teeth = "17") {
+  const std::string gear_1 =
+      "<component id=\"1\" type=\"cylindrical_gear\" name=\"g1\"><attribute "
+      "id=\"number_of_teeth\" unit=\"none\">" +
+      teeth + "</attribute></component>";
+  return file(stage("3", "1", "2") + on("s", "1"),
+              gear_1 + gear("2", 61) + component("s", "shaft", attribute) +
+                  component("3", "cylindrical_stage", attribute));
+}
+
+TEST(Rexs, ANumberThatIsReadIsADecimalNumber) {  // (5)
+  const auto distance = [](const std::string& text) {
+    return pair_with("<attribute id=\"center_distance\" unit=\"mm\">" + text + "</attribute>");
+  };
+  for (const char* text : {"78,5", "NaN", "inf", "1e400", "78.5 mm", "2;3", "0x4E", "-"}) {
+    const std::string rule = rexs_refusal(distance(text));
+    EXPECT_NE(rule.find(std::string("component cylindrical_stage 3 has `center_distance` = \"") +
+                        text + "\", which is not a number"),
+              std::string::npos)
+        << rule;
+  }
+  EXPECT_EQ(read(distance("+7.85e1")).tables["pair"]["center_distance_mm"], 78.5);
+  for (const char* teeth : {"17.5", "999999999999", "0x2", "-100001"})
+    EXPECT_NE(rexs_refusal(pair_with("", teeth)).find("component \"g1\" has `number_of_teeth`"),
+              std::string::npos)
+        << teeth;
+  EXPECT_EQ(read(pair_with("", "17.0")).tables["gear1"]["teeth"], 17);
+  // An attribute that is not read may have any text.
+  read(pair_with("<attribute id=\"comment\" unit=\"mm\">3,5</attribute>"));
+}
+
+TEST(Rexs, ANumberThatIsReadHasTheUnitOfItsAttribute) {  // (5)
+  const auto with = [](const char* attribute, const char* unit) {
+    return pair_with(std::string("<attribute id=\"") + attribute + "\" unit=\"" + unit +
+                     "\">78.5</attribute>");
+  };
+  for (const char* unit : {"inch", "mum", "none"})
+    EXPECT_NE(
+        rexs_refusal(with("center_distance", unit)).find("convert the value to the unit \"mm\""),
+        std::string::npos);
+  EXPECT_NE(rexs_refusal(with("rotational_speed", "rad / s")).find("\"1 / min\""),
+            std::string::npos);
+  for (const char* unit : {"mm", ""})
+    EXPECT_EQ(read(with("center_distance", unit)).tables["pair"]["center_distance_mm"], 78.5);
+  read(with("rotational_speed", "1/min"));
+  for (const char* unit : {"deg", "°"}) {
+    RexsComponent gear{"1", "ring_gear", ""};
+    gear.set("helix_angle_reference_diameter", 15, unit);
+    EXPECT_FALSE(rexs_number_error({"1.3", "", {gear}, {}}));
+  }
 }
 
 TEST(Rexs, StagesAreInTheOrderOfTheirShafts) {
@@ -186,6 +266,35 @@ TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
   EXPECT_NE(bare.notes[0].find("which member is held"), std::string::npos);
 }
 
+TEST(Rexs, ADifferentCopyOfAPlanetHasANote) {
+  const auto notes_with = [](const char* tip, const char* distance) {
+    const std::string relations = stage("10", "1", "2") + stage("11", "1", "3") +
+                                  stage("12", "2", "4") + stage("13", "3", "4");
+    std::string components =
+        gear("1", 18) + gear("4", 66, "ring_gear") + component("5", "planetary_stage") +
+        component("12", "cylindrical_stage") + component("13", "cylindrical_stage");
+    for (const char* id : {"2", "3"})
+      components += component(id, "cylindrical_gear",
+                              std::string("<attribute id=\"number_of_teeth\">24</attribute>"
+                                          "<attribute id=\"normal_module\">2</attribute>"
+                                          "<attribute id=\"tip_diameter\">") +
+                                  (id[0] == '2' ? "52" : tip) + "</attribute>");
+    for (const char* id : {"10", "11"})
+      components += component(id, "cylindrical_stage",
+                              std::string("<attribute id=\"center_distance\">") +
+                                  (id[1] == '0' ? "42" : distance) + "</attribute>");
+    std::string notes;
+    for (const std::string& note : read(file(relations, components)).notes) notes += note;
+    return notes;
+  };
+  EXPECT_EQ(notes_with("52.0", "42").find("(id"), std::string::npos);
+  EXPECT_NE(
+      notes_with("51.5", "42").find("`tip_diameter` of cylindrical_gear 3 (id 3) is not read"),
+      std::string::npos);
+  EXPECT_NE(notes_with("52", "42.5").find("`center_distance` of cylindrical_stage 11 (id 11)"),
+            std::string::npos);
+}
+
 TEST(Rexs, AChainMayContainPlanetarySets) {
   SetFile f = SetFile().couple("s4", "c");
   f.components += gear("6", 20) + gear("7", 40) + component("20", "cylindrical_stage") +
@@ -245,6 +354,12 @@ TEST(Rexs, AModelReadsBack) {
     EXPECT_EQ(again->components[0].units, model.components[0].units);
     EXPECT_EQ(again->relations[0].of("gear_1"), "1");
   }
+}
+
+TEST(Rexs, AZeroHasNoSign) {
+  RexsComponent ring{"1", "ring_gear", ""};
+  ring.set("helix_angle_reference_diameter", -0.0, "deg");
+  EXPECT_EQ(ring.text("helix_angle_reference_diameter"), "0");
 }
 
 // The members of a JSON file are those of the public samples: ids are numbers, and the type of a

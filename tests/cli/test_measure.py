@@ -324,6 +324,16 @@ class Measuring(Asked):
         for key, line in (("lead_angle_deg", "lead_angle_deg = 72"), ("transverse_pressure_angle_deg", "transverse_pressure_angle_deg = 20")):
             self.refused(BROKEN.replace("teeth = 23\n", f"teeth = 23\n{line}\n"), "gear1." + key, "unknown gear", verb="identify")
 
+    def test_readings_that_no_gear_has(self):
+        """The readings of a spur gear and a lead contradict each other, because the lead of a spur gear is infinite."""
+        spur = ("[gear1]\nteeth = 23\n[gear1.measured]\nspan_mm = {3 = 19.4272, 4 = 26.8075}\ntip_diameter_mm = 63\n"
+                "over_balls_mm = [{ball_diameter_mm = 4.5, dimension_mm = 64.3665}]\n")
+        self.assertIn("585 mm instead of infinite", " ".join(Run("identify", spur + "lead_mm = 585\n").out.split()))
+        for more, key in (("lead_mm = 585\nhelix_angle_deg = 0\n", "lead_mm"),
+                          ("lead_mm = -585\nhelix_angle_deg = 15\n", "lead_mm"),
+                          ("root_diameter_mm = 70\n", "root_diameter_mm")):
+            self.refused(spur + more, f"gear1.measured.{key}", "", verb="identify")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -128,6 +128,33 @@ class Rexs(unittest.TestCase):
             run = raw("export", str(source), "--rexs", str(Path(folder) / "made.rexs"))
             self.assertIn("without the positions of the planets, without friction", " ".join(run.stdout.split()))
 
+    def test_the_rack_of_a_ring_is_not_that_of_its_pinion(self):
+        """The default cutter of a ring is not in the file. The ring that is read has the usual rack."""
+        pair = ("[gear1]\nteeth = 16\nnormal_module_mm = 3\nprofile_shift = 0.42\n"
+                "rack = {addendum = 1.1, dedendum = 1.35, root_fillet_radius = 0.2}\n"
+                "[gear2]\nteeth = -47\nprofile_shift = -0.245\nrack = \"ISO53-")
+        with tempfile.TemporaryDirectory() as folder:
+            source, path = Path(folder) / "pair.toml", Path(folder) / "made.rexs"
+            for name, left_out in (("A", False), ("C", True)):
+                source.write_text(pair + name + "\"\n")
+                run = raw("export", str(source), "--rexs", str(path))
+                note = " ".join(run.stdout.split())
+                self.assertEqual("without the basic rack of the internal gear" in note, left_out)
+                roots = [json.loads(raw("gear", str(f), "--json").stdout)["gears"][1]["root_diameter_mm"]
+                         for f in (source, path)]
+                self.assertAlmostEqual(roots[0], roots[1], delta=1e-9)
+
+    def test_a_full_root_radius_reads_back(self):
+        """At 25°, the radius 0.38 of ISO53-A does not fit, and the full radius replaces it."""
+        gear = "teeth = {}\nnormal_module_mm = 2\nnormal_pressure_angle_deg = 25\n"
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "pair.toml"
+            source.write_text(f"[gear1]\n{gear.format(20)}[gear2]\n{gear.format(40)}")
+            made = self.exported(source, folder)
+            one, two = (numbers(json.loads(raw("gear", str(f), "--json").stdout)["gears"]) for f in (source, made))
+            self.assertGreater(len(one), 20)
+            self.same_numbers(one, two)
+
     def test_torque_and_speed_of_a_pair_read_back(self):
         """The torque of a driving gear 2 is on its shaft in the file, and on gear 1 in the spec."""
         pair = (EXAMPLES / "spur_pair.toml").read_text()

@@ -1,0 +1,111 @@
+// The numbers of a REXS file that are read, with their units, and their check.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "gearwright/base/printable.hpp"
+#include "gearwright/spec/rexs_set.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::size_t kLongValue = 60;  // longest part of a value in a sentence, in bytes
+constexpr double kMostTeeth = 100'000;  // greatest number of teeth of a spec
+
+struct Row {
+  std::array<std::string_view, 2> types;
+  std::string_view attribute, unit;
+};
+
+using Types = std::array<std::string_view, 2>;
+constexpr Types kGears{"cylindrical_gear", "ring_gear"};
+constexpr Types kFlanks{"cylindrical_gear_flank", "flank_geometry"};
+constexpr Types kTools{"rack_shaped_tool", "cutter_wheel_tool"};
+constexpr std::string_view kTeeth = "number_of_teeth";
+
+// Every attribute that is read as a number. The units are those of the public REXS database.
+constexpr std::array kRows{Row{kGears, kTeeth, "none"},
+                           Row{kGears, "normal_module", "mm"},
+                           Row{kGears, "helix_angle_reference_diameter", "deg"},
+                           Row{kGears, "face_width", "mm"},
+                           Row{kGears, "tip_diameter", "mm"},
+                           Row{kFlanks, "normal_pressure_angle", "deg"},
+                           Row{kFlanks, "addendum_modification_coefficient", "none"},
+                           Row{kFlanks, "generated_addendum_modification_coefficient", "none"},
+                           Row{kTools, kTeeth, "none"},
+                           Row{kTools, "addendum_coefficient_reference_profile", "none"},
+                           Row{kTools, "tip_radius_factor", "none"},
+                           Row{kTools, "tip_corner_radius_factor_reference_profile", "none"},
+                           Row{{"cylindrical_stage"}, "center_distance", "mm"},
+                           Row{{"shaft"}, "rotational_speed", "1 / min"},
+                           Row{{"external_load"}, "torque_around_u_axis", "N m"}};
+
+const Row* row_of(std::string_view type, std::string_view attribute) {
+  const auto it = std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) {
+    return row.attribute == attribute &&
+           std::find(row.types.begin(), row.types.end(), type) != row.types.end();
+  });
+  return it == kRows.end() ? nullptr : &*it;
+}
+
+// True if the texts name the same unit. Spaces are ignored, and an empty text is the unit of the
+// attribute. Versions 1.0 to 1.3 write the degree as a sign, in UTF-8 or in ISO 8859-1.
+bool same_unit(std::string unit, std::string expected) {
+  std::erase(unit, ' ');
+  std::erase(expected, ' ');
+  return unit.empty() || unit == expected || (expected == "deg" && (unit == "°" || unit == "\xB0"));
+}
+
+}  // namespace
+
+std::optional<double> RexsComponent::number(std::string_view attribute) const {
+  const auto it = attributes.find(attribute);
+  if (it == attributes.end()) return std::nullopt;
+  const std::string& text = it->second;
+  // strtod also reads spaces, hexadecimal numbers, "inf" and "nan".
+  if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value == 0.0 ? 0.0 : value;  // gives 0 instead of −0
+}
+
+bool is_rexs_number(const RexsComponent& component, std::string_view attribute) {
+  return row_of(component.type, attribute) != nullptr;
+}
+
+std::optional<Error> rexs_number_error(const RexsModel& model) {
+  for (const RexsComponent& c : model.components) {
+    for (const auto& [attribute, text] : c.attributes) {
+      const Row* const row = row_of(c.type, attribute);
+      if (!row) continue;
+      const auto wrong = [&](std::string_view shown, const std::string& rule) {
+        return Error{"", "",
+                     fmt::format("component {} has `{}` = \"{}\"{}", rexs_name(c), attribute,
+                                 printable(std::string(shown), kLongValue), rule)};
+      };
+      const auto value = c.number(attribute);
+      if (!value)
+        return wrong(text,
+                     ", which is not a number; write a number with a decimal point and without a "
+                     "unit, such as 12.5");
+      if (row->attribute == kTeeth &&
+          (*value != std::round(*value) || std::abs(*value) > kMostTeeth))
+        return wrong(text, fmt::format("; the number of teeth must be whole and at most {:.0f}",
+                                       kMostTeeth));
+      if (const auto unit = c.units.find(attribute);
+          unit != c.units.end() && !same_unit(unit->second, std::string(row->unit)))
+        return wrong(text, fmt::format(" with the unit \"{}\"; convert the value to the unit "
+                                       "\"{}\", which REXS specifies for this attribute",
+                                       printable(unit->second, kLongValue), row->unit));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright
