@@ -38,9 +38,8 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
   const ParallelPair wide = testing::two_and_sixty();
   EXPECT_EQ(face_width_needed(wide), 3.46);
   const std::string words = report_input(wide).verdict.headline;
-  EXPECT_NE(
-      words.find("only because its teeth are helical. The transverse contact ratio is 0.686"),
-      std::string::npos)
+  EXPECT_NE(words.find("only because its teeth are helical. The transverse contact ratio is 0.686"),
+            std::string::npos)
       << words;
   EXPECT_NE(words.find("needs a face width b ≥ 3.46 mm. There is no backlash (ISO/TR 10064-2 "
                        "recommends at least"),
