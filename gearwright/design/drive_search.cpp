@@ -250,7 +250,7 @@ Result<Ends> ends_of(const DriveSearchProblem& problem) {
     add_default(!problem.base.inputs.empty(), "input", graph->inputs[0]);
     add_default(!problem.base.output.empty(), "output", graph->output);
     if (!defaults.empty())
-      error->rule += fmt::format(". Defaults of keys that are not given: {}", enumerated(defaults));
+      error->rule += fmt::format(". The defaults are {}", enumerated(defaults));
     return *error;
   }
   return Ends{body(graph->fixed[0]), body(graph->inputs[0]), body(graph->output)};

@@ -96,7 +96,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "contact is lost where undercut has removed the flank"},
     {C::beyond_flank, "beyond_flank", kCaution,
      "other parts of the teeth touch before the flanks do; they are listed in the entry "
-     "`beyond_flank` of the result",
+     "beyond_flank of the result",
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
     {C::saddle_gap, "saddle_gap", kCaution,
      "with an internal gear on crossed axes, the flanks overlap beside the line of action, so that "
