@@ -297,8 +297,7 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       "greatest torque on gear 1 for which the safety factors are at least `safety_flank_min` and "
       "`safety_root_min`, or at least 1 if these keys are absent; with a spectrum, the greatest "
       "torque if all torques are multiplied by the same factor; null if there is no such torque, "
-      "or if K_Hβ is to be computed (`face_load_factor = \"computed\"`) for a spectrum or near "
-      "a torque for which it cannot be computed",
+      "or if `face_load_factor = \"computed\"` and there is a spectrum or K_Hβ has no value there",
       &RatingAnswer::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width, up to 40 modules, for which the safeties satisfy the same limits as "

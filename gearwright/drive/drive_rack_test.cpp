@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive.hpp"

@@ -248,8 +248,7 @@ class Contact(unittest.TestCase):
             self.assertEqual(crowning, 0)
 
     def test_the_middle_decides_between_slopes_of_equal_error(self):
-        """Regression: compensate proposed 0.48 µm and left the contact 56 % away from the middle,
-        because the handovers moved between positions."""
+        """Regression: with moving handovers, the contact was 56 % away from the middle at 0.48 µm."""
         crowned = "[gear1.modifications]\nlead_crowning_um = 8\nprofile_crowning_um = 4\n"
         c = self.ok("compensate", STAGE.format(crowned, "crossing_deg = 0.04"))["compensate"]
         self.assertAlmostEqual(c["corrections"][0]["value"], -17.44, delta=0.5)

@@ -29,6 +29,7 @@ ALLOWED = {
                                  "e.field == second": "removes an input from this list",
                                  "e.field == field": "finds an input in this list"},
     "gearwright/spec/missing_for.cpp": {"e.field == tables[0] || e.field == tables[1]": "finds an input in its list"},
+    "gearwright/job/rack_question.cpp": {"error.field ==": "places the value as in the option, MODULE,ANGLE"},
     "gearwright/job/scatter_answer.cpp": {"t.name == error.field": "finds a tolerance by its name, which is data"},
 }
 
