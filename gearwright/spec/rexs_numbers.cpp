@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongValue = 60;  // longest part of a value in a sentence, in bytes
 constexpr double kMostTeeth = 100'000;  // greatest number of teeth of a spec
 
-struct Row {
+struct RexsNumber {
   std::array<std::string_view, 2> types;
   std::string_view attribute, unit;
 };
@@ -28,24 +28,25 @@ constexpr Types kTools{"rack_shaped_tool", "cutter_wheel_tool"};
 constexpr std::string_view kTeeth = "number_of_teeth";
 
 // Every attribute that is read as a number. The units are those of the public REXS database.
-constexpr std::array kRows{Row{kGears, kTeeth, "none"},
-                           Row{kGears, "normal_module", "mm"},
-                           Row{kGears, "helix_angle_reference_diameter", "deg"},
-                           Row{kGears, "face_width", "mm"},
-                           Row{kGears, "tip_diameter", "mm"},
-                           Row{kFlanks, "normal_pressure_angle", "deg"},
-                           Row{kFlanks, "addendum_modification_coefficient", "none"},
-                           Row{kFlanks, "generated_addendum_modification_coefficient", "none"},
-                           Row{kTools, kTeeth, "none"},
-                           Row{kTools, "addendum_coefficient_reference_profile", "none"},
-                           Row{kTools, "tip_radius_factor", "none"},
-                           Row{kTools, "tip_corner_radius_factor_reference_profile", "none"},
-                           Row{{"cylindrical_stage"}, "center_distance", "mm"},
-                           Row{{"shaft"}, "rotational_speed", "1 / min"},
-                           Row{{"external_load"}, "torque_around_u_axis", "N m"}};
+constexpr std::array kRows{
+    RexsNumber{kGears, kTeeth, "none"},
+    RexsNumber{kGears, "normal_module", "mm"},
+    RexsNumber{kGears, "helix_angle_reference_diameter", "deg"},
+    RexsNumber{kGears, "face_width", "mm"},
+    RexsNumber{kGears, "tip_diameter", "mm"},
+    RexsNumber{kFlanks, "normal_pressure_angle", "deg"},
+    RexsNumber{kFlanks, "addendum_modification_coefficient", "none"},
+    RexsNumber{kFlanks, "generated_addendum_modification_coefficient", "none"},
+    RexsNumber{kTools, kTeeth, "none"},
+    RexsNumber{kTools, "addendum_coefficient_reference_profile", "none"},
+    RexsNumber{kTools, "tip_radius_factor", "none"},
+    RexsNumber{kTools, "tip_corner_radius_factor_reference_profile", "none"},
+    RexsNumber{{"cylindrical_stage"}, "center_distance", "mm"},
+    RexsNumber{{"shaft"}, "rotational_speed", "1 / min"},
+    RexsNumber{{"external_load"}, "torque_around_u_axis", "N m"}};
 
-const Row* row_of(std::string_view type, std::string_view attribute) {
-  const auto it = std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) {
+const RexsNumber* row_of(std::string_view type, std::string_view attribute) {
+  const auto it = std::find_if(kRows.begin(), kRows.end(), [&](const RexsNumber& row) {
     return row.attribute == attribute &&
            std::find(row.types.begin(), row.types.end(), type) != row.types.end();
   });
@@ -82,7 +83,7 @@ bool is_rexs_number(const RexsComponent& component, std::string_view attribute) 
 std::optional<Error> rexs_number_error(const RexsModel& model) {
   for (const RexsComponent& c : model.components) {
     for (const auto& [attribute, text] : c.attributes) {
-      const Row* const row = row_of(c.type, attribute);
+      const RexsNumber* const row = row_of(c.type, attribute);
       if (!row) continue;
       const auto wrong = [&](std::string_view shown, const std::string& rule) {
         return Error{"", "",
