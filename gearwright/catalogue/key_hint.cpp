@@ -152,8 +152,10 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
   for (Place& p : all)
     if (p.table == &gear_keys() && subject_of(own).gear == 2) p.path = own;
-  // A key with the same spelling precedes a key that is similar or has this symbol.
+  // A key with the same spelling and a unit precedes a key that is similar or has this symbol. A
+  // single letter such as x is more often a symbol than a key.
   for (const bool same : {true, false}) {
+    if (same && unit.empty()) continue;
     for (const Place& p : all) {
       if (p.path == path) continue;  // a table of another kind at the same path
       const bool outside = p.path.find('.') == std::string::npos;

@@ -246,8 +246,10 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
 }
 
 // Returns a finding if a planet carries no load over a whole period. K_γ can be small even then: if
-// one of three planets carries nothing, it is between 1.5 and 3.
+// one of three planets carries nothing, it is between 1.5 and 3. A rating compares its own K_γ with
+// the computed one, so there is no finding if the drive is rated.
 std::optional<Warning> idle_planet(const Drive& drive) {
+  if (!drive.ratings.empty()) return std::nullopt;
   constexpr double kNoShare = 1e-9;  // shares of this size are rounding errors
   for (const PlanetShares& shares : drive.loaded->sets)
     for (std::size_t i = 0; i < shares.greatest.size(); ++i) {

@@ -96,10 +96,12 @@ def numbers(answer, path=(), factor=1.0, per=1.0, inch=False):
 
 def differences(mm, inch, tolerance=1e-12):
     """Returns the paths at which the numbers of two answers differ by more than the tolerance. The
-    tolerance is relative for numbers above 1e-3, and absolute for smaller numbers."""
+    tolerance is relative for numbers above 1e-3, and absolute for smaller numbers. The specs of
+    identified gears have six decimals of their own unit."""
     a, b = numbers(mm), numbers(inch, inch=True)
     far = [(p, a[p], b[p]) for p in a.keys() & b.keys()
-           if abs(a[p] - b[p]) > tolerance * max(abs(a[p]), abs(b[p]), 1e-3)]
+           if abs(a[p] - b[p]) > (1e-6 if {"candidates", "spec"} <= set(p) else
+                                  tolerance * max(abs(a[p]), abs(b[p]), 1e-3))]
     return far + [(p, a.get(p), b.get(p)) for p in a.keys() ^ b.keys()]
 
 
