@@ -1,4 +1,5 @@
-// Computes the drive of a spec, with its rating, its verdict and its files.
+// Computes the drive of a spec, with its rating, its verdict and its files. Internal to job/, the
+// programs and tests.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Makes the files of a job, which are solids, meshes and drawings of the gears. Each file is
-// written completely or not at all.
+// written completely or not at all. Internal to job/, the programs and tests.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Writes results as listings for users. The program prints a listing if neither --json nor --csv is
-// given.
+// given. Internal to job/, the programs and tests.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Case files contain published numbers with their source. The program computes these numbers as it
-// does for the spec of a user.
+// does for the spec of a user. Internal to job/, the programs and tests.
 //
 //   {"cases": [{"id", "source", "verb", "spec": {...},
 //               "expected": {"pair.center_distance_mm": 56.4999},

@@ -1,4 +1,5 @@
 // Makes the workshop drawings of a job as PDF, SVG or DXF, with one sheet for each gear or rack.
+// Internal to job/, the programs and tests.
 #pragma once
 
 #include <filesystem>
