@@ -87,7 +87,7 @@ std::optional<Error> rexs_number_error(const RexsModel& model) {
       if (!row) continue;
       const auto wrong = [&](std::string_view shown, const std::string& rule) {
         return Error{"", "",
-                     fmt::format("component {} has `{}` = \"{}\"{}", rexs_name(c), attribute,
+                     fmt::format("component {} has `{}` = \"{}\"{}", rexs_name(c), row->attribute,
                                  printable(std::string(shown), kLongValue), rule)};
       };
       const auto value = c.number(attribute);
