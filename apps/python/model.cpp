@@ -63,9 +63,10 @@ const HouseUnit* unit_of(std::string_view key) {
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path) {
   Json made = Json::object();
   for (auto& [name, value] : tree.items()) {
-    const auto house = std::find_if(
-        kHouseUnits.begin(), kHouseUnits.end(),
-        [&](const HouseUnit& h) { return find(tables, name + std::string(unit_suffix(h.unit))); });
+    const auto house = std::find_if(kHouseUnits.begin(), kHouseUnits.end(),
+                                    [&tables, &own = name](const HouseUnit& h) {
+                                      return find(tables, own + std::string(unit_suffix(h.unit)));
+                                    });
     std::string key = name;
     if (!find(tables, name) && house != kHouseUnits.end()) {
       key += unit_suffix(house->unit);
