@@ -191,7 +191,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
   q.add(Type::index, "hopeless", "hopeless", "",
         "number of feasible trains that were not computed, because an estimate from 64 rated "
         "trains of the same module shows that these trains cannot have the required safeties or, "
-        "if each stage has its own module, that they would exceed `size_max_mm`",
+        "if each stage has its own module, that they would be larger than allowed",
         [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
         "number of feasible sets that were not computed, because at most 20 000 sets of each "

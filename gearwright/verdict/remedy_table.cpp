@@ -220,6 +220,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       lever.digits = digits_for(m, 3);
       if (judged.rack) {
         lever.now = judged.rack->center_distance;
+        lever.span = std::min(m, 0.99 * lever.now);  // the distance remains greater than 0
         lever.hint = judged.rack->backlash_free_center_distance;
         return lever;
       }
