@@ -3,6 +3,8 @@
 // Internal to job/ and the programs.
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
