@@ -26,15 +26,15 @@ struct RatingAnswer {
   RatedPair pair;
   RatingInput input;
   Rating rating;
-  std::vector<LoadBin> steps;  ///< of the spectrum, with K_Hβ if it is computed
-  std::optional<SpectrumRating> spectrum;
-  std::optional<double> torque_holding;  ///< N m, greatest torque with the required safety factors;
-                                         ///< under the spectrum, if there is one
-  std::optional<double> face_holding;    ///< mm, least common face width with the required safety
-                                         ///< factors; none if K_Hβ is computed
-  std::optional<ToothContact> contact;   ///< computed tooth contact; none unless the spec requests
-                                         ///< this computation
-  Safeties wanted{};                     ///< required safeties in the spec, or 1
+  std::vector<LoadBin> steps{};  ///< of the spectrum, with K_Hβ if it is computed
+  std::optional<SpectrumRating> spectrum{};
+  /// The greatest torque with the required safety factors, N m; under the spectrum, if there is one.
+  std::optional<double> torque_holding{};
+  /// The least common face width with the required safety factors, mm; none if K_Hβ is computed.
+  std::optional<double> face_holding{};
+  /// The computed tooth contact; none unless the spec requests this computation.
+  std::optional<ToothContact> contact{};
+  Safeties wanted{};  ///< required safeties in the spec, or 1
 };
 
 const Quantities<RatingAnswer>& rating_quantities();
