@@ -36,7 +36,7 @@ const std::vector<Means> kLongerContact{
     {A::face_width, W::pair, +1}};
 
 constexpr const char* kContactRatio = "the contact ratio is {:.3f}";
-constexpr const char* kBacklash = "the backlash is {:.4f} mm";
+constexpr const char* kBacklash = "the backlash is {:.4f} mm in the normal section";
 
 const std::vector<Cure>& cures() {
   static const std::vector<Cure> kAll{

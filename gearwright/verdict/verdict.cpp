@@ -52,7 +52,7 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
 // Returns the backlash in words. If there is no backlash, the words include the smallest
 // recommended backlash.
 std::string backlash_words(const StatedBacklash& j) {
-  if (!j.none()) return fmt::format("a backlash of {:.4f} mm", j.normal);
+  if (!j.none()) return fmt::format("a backlash of {:.4f} mm in the normal section", j.normal);
   return fmt::format("no backlash ({})", recommendation(recommended_backlash(j)));
 }
 

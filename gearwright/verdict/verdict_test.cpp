@@ -186,7 +186,8 @@ TEST(Verdict, of_a_rack_gives_its_backlash) {
   EXPECT_TRUE(finds(judged_at(0.0), WarningCode::no_backlash, Level::green));
   // j_n = 2 δ tan α_n = 0.0728 mm
   EXPECT_EQ(judged_at(0.1).headline,
-            "The rack and pinion run as specified, with a backlash of 0.0728 mm.");
+            "The rack and pinion run as specified, with a backlash of 0.0728 mm in the "
+            "normal section.");
   EXPECT_FALSE(finds(judged_at(0.1), WarningCode::no_backlash, Level::green));
   EXPECT_NE(judged_at(-0.1).headline.find(
                 "The rack and pinion do not run as specified: the teeth are too thick"),

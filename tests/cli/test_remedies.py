@@ -222,7 +222,7 @@ class OtherMessages(unittest.TestCase):
         spec = (SOURCE / "examples/circular_arc_drive.toml").read_text() + "\n[pair]\nbacklash_mm = 0.1\n"
         answer = Run("pair", spec, "--json").json
         self.assertAlmostEqual(answer["pair"]["backlash"]["normal_mm"], 0.1, 9)
-        self.assertIn("a backlash of 0.1000 mm", answer["verdict"]["headline"])
+        self.assertIn("a backlash of 0.1000 mm in the normal section", answer["verdict"]["headline"])
 
     def test_a_mesh_without_backlash_is_named(self):
         stage = {"teeth": [19, 58], "normal_module_mm": 2}
