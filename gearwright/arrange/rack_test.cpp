@@ -86,6 +86,9 @@ TEST(ArrangedRack, verdict_names_the_root_of_the_rack) {
                                  [](const Finding& f) { return f.code == WarningCode::root; });
   ASSERT_NE(root, verdict.findings.end());
   EXPECT_EQ(root->gear, 2);
+  EXPECT_NE(verdict.headline.find("the tip of the pinion cuts into the root of the rack"),
+            std::string::npos)
+      << verdict.headline;
   EXPECT_NE(root->remedy.find("the tip stays clear of the root of the rack."), std::string::npos)
       << root->remedy;
   ASSERT_TRUE(root->change.has_value());
@@ -103,6 +106,41 @@ TEST(ArrangedRack, verdict_proposes_a_centre_distance) {
   ASSERT_TRUE(worst.change.has_value());
   EXPECT_EQ(worst.change->what, Adjustable::center_distance);
   EXPECT_NEAR(worst.change->value, 20.4, 1e-9);
+}
+
+// The backlash-free centre distance is 22 mm, which is 3.5 modules from the given distances.
+TEST(ArrangedRack, verdict_proposes_a_distant_centre_distance) {
+  for (const double more : {-7.0, 4.5}) {
+    GivenPair given = given_rack(0.0);
+    given.gear(1).cylindrical.teeth = 22;
+    given.gear(1).cylindrical.tip_diameter = 48;
+    given.pair.center_distance = 22 + more;
+    const Verdict verdict = judge(taken(arrange(given)));
+    const Finding& worst = verdict.findings.front();
+    ASSERT_EQ(worst.code, WarningCode::no_contact);
+    ASSERT_TRUE(worst.change.has_value());
+    EXPECT_NE(verdict.headline.find(worst.remedy), std::string::npos) << verdict.headline;
+    ASSERT_TRUE(make_change(given, *worst.change));
+    EXPECT_EQ(judge(taken(arrange(given))).level, Level::green);
+  }
+}
+
+// A pinion of 9 teeth without profile shift is undercut. At each centre distance at which it has
+// contact, the verdict is at least amber, because the undercut removes a part of the path.
+TEST(ArrangedRack, verdict_proposes_a_change_that_leaves_amber_findings) {
+  for (const double more : {-7.0, 4.5}) {
+    GivenPair given = given_rack(0.0);
+    given.gear(1).cylindrical.teeth = 9;
+    given.gear(1).cylindrical.tip_diameter = 22;
+    given.pair.center_distance = 9 + more;
+    const Verdict verdict = judge(taken(arrange(given)));
+    const Finding& worst = verdict.findings.front();
+    ASSERT_EQ(worst.code, WarningCode::no_contact);
+    ASSERT_TRUE(worst.change.has_value());
+    EXPECT_NE(worst.remedy.find("After this change, check: "), std::string::npos) << worst.remedy;
+    ASSERT_TRUE(make_change(given, *worst.change));
+    EXPECT_EQ(judge(taken(arrange(given))).level, Level::amber);
+  }
 }
 
 // Every warning of a rack and its pinion has a verdict, in which remedies are tried.

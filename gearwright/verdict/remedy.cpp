@@ -1,10 +1,13 @@
 #include "gearwright/verdict/remedy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/verdict/margins.hpp"
 
 namespace gearwright::detail {
@@ -48,8 +51,11 @@ class Trials {
     return done_.emplace(key, attempt_(change, depth)).first->second;
   }
 
+  /// Sets the greatest level of findings that a change may add. The default is green.
+  void accept(Level level) { accepted_ = level; }
+
   /// Returns the score after a change. Returns nothing if the change does not remove the finding,
-  /// or if it adds or worsens another finding.
+  /// or if it adds or worsens another finding beyond the accepted level.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
     // The computation without tolerances and contact is done first, because it is the cheapest and
     // rejects most changes.
@@ -58,7 +64,7 @@ class Trials {
     const std::optional<ChangedState>& state = of(change, depth);
     if (!state || level_in(state->findings, finding) > Level::green) return std::nullopt;
     for (const Finding& f : state->findings)
-      if (f.level > level_in(before_, f)) return std::nullopt;
+      if (f.level > std::max(level_in(before_, f), accepted_)) return std::nullopt;
     return score_of(state->findings);
   }
 
@@ -66,6 +72,7 @@ class Trials {
   using Key = std::tuple<Adjustable, int, double, TryDepth>;
   const std::vector<Finding>& before_;
   const TryChange& attempt_;
+  Level accepted_ = Level::green;
   std::map<Key, std::optional<ChangedState>> done_;
 };
 
@@ -195,29 +202,46 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
                                                : TryDepth::as_drawn;
     const bool under_errors = judged.contact && judged.errors && !cure->needs_contact;
     const TryDepth deepest = under_errors ? TryDepth::with_contact : depth;
-    std::optional<Found> best;
-    for (const Lever& lever : levers(*cure, finding, judged)) {
-      // Another number of teeth changes the ratio, so it is tried only if nothing else helps.
-      if (best && judged.pair && lever.what == Adjustable::teeth) break;
-      auto found = lever.what == Adjustable::lead_slope
-                       ? centring_change(trials, finding, lever, *place)
-                       : least_change(trials, finding, lever, depth);
-      // The contact under the errors is computed only for the change that would be printed. If it
-      // is worse than before, the other changes of this number are tried with their contact.
-      if (found && under_errors) {
-        const auto score = trials.score(finding, found->change, deepest);
-        found = score ? std::optional(Found{found->change, *score})
-                      : least_change(trials, finding, lever, deepest);
+    const auto best_change = [&] {
+      std::optional<Found> best;
+      for (const Lever& lever : levers(*cure, finding, judged)) {
+        // Another number of teeth changes the ratio, so it is tried only if nothing else helps.
+        if (best && judged.pair && lever.what == Adjustable::teeth) break;
+        auto found = lever.what == Adjustable::lead_slope
+                         ? centring_change(trials, finding, lever, *place)
+                         : least_change(trials, finding, lever, depth);
+        // The contact under the errors is computed only for the change that would be printed. If it
+        // is worse than before, the other changes of this number are tried with their contact.
+        if (found && under_errors) {
+          const auto score = trials.score(finding, found->change, deepest);
+          found = score ? std::optional(Found{found->change, *score})
+                        : least_change(trials, finding, lever, deepest);
+        }
+        if (found && (!best || found->score < best->score)) best = found;
+        // For a finding of a contact analysis, the search stops at the first change that removes the
+        // finding, because each trial takes milliseconds.
+        if (best && (best->score == Score{} || cure->needs_contact)) break;
       }
-      if (found && (!best || found->score < best->score)) best = found;
-      // For a finding of a contact analysis, the search stops at the first change that removes the
-      // finding, because each trial takes milliseconds.
-      if (best && (best->score == Score{} || cure->needs_contact)) break;
+      return best;
+    };
+    std::optional<Found> best = best_change();
+    // A rack that is far too close or too far away often has a pinion with undercut, so every
+    // change leads from the red finding to an amber one.
+    const bool first = &finding == &findings.front() && finding.level == Level::red;
+    std::string left;
+    if (!best && judged.rack && first) {
+      trials.accept(Level::amber);
+      best = best_change();
+      trials.accept(Level::green);
+      if (best)
+        left =
+            enumerated(reasons(trials.of(best->change, deepest)->findings, judged, Level::amber));
     }
     if (!best) continue;
     finding.change = best->change;
     finding.remedy =
         remedy_words(*cure, best->change, finding, judged, *trials.of(best->change, deepest));
+    if (!left.empty()) finding.remedy += fmt::format(" After this change, check: {}.", left);
   }
 }
 

@@ -6,7 +6,8 @@
 // change becomes a lever. A lever is a number of the spec with its present value, direction, range
 // and step. For each lever, the program computes the smallest change that removes the finding and
 // neither adds nor worsens another finding. If several changes succeed, the change that leaves the
-// fewest findings is used. If the contact lies near the end of the face, or if an edge touches, the
+// fewest findings is used. If no change succeeds for the first finding of a rack and this finding is
+// red, changes that add amber findings are also accepted, and the remedy names them. If the contact lies near the end of the face, or if an edge touches, the
 // helix slope that moves the contact to the middle is tried first. If no change succeeds, the
 // remedy is only general advice. Remedies for safety factors are computed by rating_remedy()
 // instead.
@@ -62,6 +63,11 @@ std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged
 /// Returns, for example, "With a profile shift of 0.54 on gear 1, the contact ratio is 1.286."
 std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
                          const Judged& judged, const ChangedState& trial);
+
+/// Returns the distinct reasons of the findings of one level, in the order of the findings. Findings
+/// before index `first` are skipped.
+std::vector<std::string> reasons(const std::vector<Finding>& findings, const Judged& judged,
+                                 Level level, std::size_t first = 0);
 
 /// Fills `remedy` of all findings. `change` is filled only for the findings of the worst level,
 /// because the user removes these first.

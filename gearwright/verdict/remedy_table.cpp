@@ -220,8 +220,11 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       lever.digits = digits_for(m, 3);
       if (judged.rack) {
         lever.now = judged.rack->center_distance;
-        lever.span = std::min(m, 0.99 * lever.now);  // the distance remains greater than 0
         lever.hint = judged.rack->backlash_free_center_distance;
+        // The range contains the backlash-free centre distance, even if this is far away.
+        lever.span += std::max(0.0, lever.direction * (*lever.hint - lever.now));
+        // The distance remains greater than 0.
+        if (lever.direction < 0) lever.span = std::min(lever.span, 0.99 * lever.now);
         return lever;
       }
       lever.now = judged.pair->center_distance();

@@ -35,18 +35,17 @@ std::string recommendation(double recommended_backlash) {
 
 namespace {
 
-// Returns the distinct reasons of the findings of one level, in the order of the findings. Findings
-// before index `first` are skipped.
-std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
-                                 std::size_t first = 0) {
-  std::vector<std::string> list;
-  for (std::size_t i = first; i < findings.size(); ++i) {
-    const Finding& f = findings[i];
-    const std::string reason = meaning_of(f.code).reason;
-    if (f.level != level || reason.empty()) continue;
-    if (std::find(list.begin(), list.end(), reason) == list.end()) list.push_back(reason);
-  }
-  return list;
+// Returns the clause that names the fault of a finding. With a rack, the clause names the part.
+std::string reason_of(const Finding& finding, const Judged& judged) {
+  const bool rack = judged.rack != nullptr;
+  if (rack && finding.code == WarningCode::root)
+    return finding.gear == 2 ? "the tip of the pinion cuts into the root of the rack"
+                             : "the tip of the rack cuts into the root of the pinion";
+  if (rack && finding.code == WarningCode::base_tangent)
+    return "the tip of the rack reaches a place where the pinion has no involute";
+  if (rack && finding.code == WarningCode::form_circle)
+    return "the tip of the rack reaches below the usable flank of the pinion";
+  return meaning_of(finding.code).reason;
 }
 
 // Returns the backlash in words. If there is no backlash, the words include the smallest
@@ -160,9 +159,14 @@ std::string standing(const Judged& judged) {
 }
 
 std::string not_running(const Judged& judged, const Verdict& verdict) {
-  const std::string against = enumerated(reasons(verdict.findings, Level::red));
+  const std::string against = enumerated(detail::reasons(verdict.findings, judged, Level::red));
   const Finding& worst = verdict.findings.front();
-  if (judged.rack) return fmt::format("The rack and pinion do not run as specified: {}.", against);
+  if (judged.rack) {
+    const std::string text =
+        fmt::format("The rack and pinion do not run as specified: {}.", against);
+    const std::string rest = worst.at.empty() ? worst.remedy : worst.whole();
+    return rest.empty() ? text : text + " " + rest;
+  }
   if (!judged.pair) {
     return fmt::format("{} has a problem: {}.", judged.gears.size() == 1 ? "The gear" : "Each gear",
                        against);
@@ -183,9 +187,9 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
 
 // Returns a sentence with the reasons of the amber findings, except that of the first finding,
 // which the headline already contains. Returns an empty text if there are no other reasons.
-std::string besides(const Verdict& verdict) {
-  std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
-  const std::string named = meaning_of(verdict.findings[0].code).reason;
+std::string besides(const Judged& judged, const Verdict& verdict) {
+  std::vector<std::string> list = detail::reasons(verdict.findings, judged, Level::amber, 1);
+  const std::string named = reason_of(verdict.findings[0], judged);
   std::erase(list, named);
   return list.empty() ? "" : fmt::format(" Also: {}.", enumerated(list));
 }
@@ -202,11 +206,12 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
     return remedy.empty() ? text : text + " " + remedy;
   }
   if (verdict.level == Level::green) return standing(judged);
-  if (verdict.level == Level::red) return not_running(judged, verdict) + besides(verdict);
+  if (verdict.level == Level::red) return not_running(judged, verdict) + besides(judged, verdict);
   const Finding& worst = verdict.findings.front();
   const bool unnamed = worst.gear > 0 && worst.at.empty() && meaning_of(worst.code).gear_unnamed;
   const std::string where = unnamed ? fmt::format("Gear {}: ", worst.gear) : "";
-  return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
+  return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(),
+                     besides(judged, verdict));
 }
 
 // Returns the value of the pair or of the gear to which a warning refers, for example a clearance.
@@ -249,6 +254,18 @@ const char* to_string(Level level) {
     case Level::red: return "red";
   }
   return "";
+}
+
+std::vector<std::string> detail::reasons(const std::vector<Finding>& findings, const Judged& judged,
+                                         Level level, std::size_t first) {
+  std::vector<std::string> list;
+  for (std::size_t i = first; i < findings.size(); ++i) {
+    if (findings[i].level != level) continue;
+    const std::string reason = reason_of(findings[i], judged);
+    if (reason.empty() || std::find(list.begin(), list.end(), reason) != list.end()) continue;
+    list.push_back(reason);
+  }
+  return list;
 }
 
 bool is_safety(WarningCode code) {
