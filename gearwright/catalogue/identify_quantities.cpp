@@ -139,8 +139,8 @@ const Quantities<Contradiction>& contradiction_quantities() {
            "for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "value as read", "", "in `unit`", &C::value);
-    q.number("expected", "value of this reading that the other readings predict", "", "in `unit`",
-             &C::expected);
+    q.number("expected", "value of this reading that the other readings predict", "",
+             "in `unit`; null for the infinite lead of a spur gear", &C::expected);
     add_units(q);
   });
 }

@@ -251,12 +251,14 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
     const auto expected = reading_of(without.front().fit.gear, readings[i]);
     if (!expected) continue;
     best = without.front().log_worth;
-    const auto text = [&](double value) {
-      if (readings[i].kind == Reading::lead) return value > 0.0 ? 1 / value : 0.0;
+    // An observed lead is the reciprocal of the reading, so that of a spur gear is 0.
+    const auto as_read = [&](double value) -> std::optional<double> {
+      if (readings[i].kind == Reading::lead)
+        return value > 0.0 ? std::optional(1 / value) : std::nullopt;
       return readings[i].kind == Reading::helix_angle ? value * kDegPerRad : value;
     };
-    worst =
-        Contradiction{readings[i].kind, readings[i].tool, text(readings[i].value), text(*expected)};
+    worst = Contradiction{readings[i].kind, readings[i].tool, *as_read(readings[i].value),
+                          as_read(*expected)};
     found = std::move(without);
   }
   return worst;

@@ -84,9 +84,10 @@ enum class Reading {
 /// A reading that disagrees with all other readings, and the value that the other readings predict.
 struct Contradiction {
   Reading reading;
-  double tool;      ///< k or D_M; 0 for other readings
-  double value;     ///< the reading, mm or degrees
-  double expected;  ///< the value predicted by the other readings
+  double tool;                     ///< k or D_M; 0 for other readings
+  double value;                    ///< the reading, mm or degrees
+  std::optional<double> expected;  ///< the value predicted by the other readings; none for the
+                                   ///< infinite lead of a spur gear
 };
 
 /// Comparison of the measured tip with the tip that follows from the rack and the profile shift.

@@ -146,7 +146,7 @@ TEST(IdentifyDrawing, root_that_no_rack_gives_is_a_contradiction) {
   ASSERT_TRUE(found.contradiction);
   EXPECT_EQ(found.contradiction->reading, Reading::root_diameter);
   EXPECT_EQ(found.contradiction->value, *p.root.value);
-  EXPECT_NEAR(found.contradiction->expected, root_of(gear), 0.01);
+  EXPECT_NEAR(found.contradiction->expected.value(), root_of(gear), 0.01);
   EXPECT_EQ(found.candidates.at(0).rack, "AGMA-14.5");
 }
 

@@ -55,7 +55,7 @@ TEST(Identify, names_the_reading_that_disagrees) {
   ASSERT_TRUE(found.contradiction);
   EXPECT_EQ(found.contradiction->reading, Reading::span);
   EXPECT_EQ(found.contradiction->tool, 4);
-  EXPECT_NEAR(found.contradiction->expected, 27.131, 0.01);
+  EXPECT_NEAR(found.contradiction->expected.value(), 27.131, 0.01);
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);
 }
 

@@ -258,9 +258,8 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   std::string text;
   if (const auto& c = found.contradiction) {
     const char* const unit = reading_unit(c->reading);
-    const bool spur = c->reading == Reading::lead && c->expected == 0.0;
     const std::string expected =
-        spur ? "infinite, as for a spur gear" : format_number(c->expected, c->value) + unit;
+        c->expected ? format_number(*c->expected, c->value) + unit : "infinite, as for a spur gear";
     text += fmt::format(
         "\n{}The gears below agree with all other readings.\n",
         sentence_in(units, fmt::format("The {} contradicts the other readings, because it is {}{} "

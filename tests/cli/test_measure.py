@@ -329,6 +329,8 @@ class Measuring(Asked):
         spur = ("[gear1]\nteeth = 23\n[gear1.measured]\nspan_mm = {3 = 19.4272, 4 = 26.8075}\ntip_diameter_mm = 63\n"
                 "over_balls_mm = [{ball_diameter_mm = 4.5, dimension_mm = 64.3665}]\n")
         self.assertIn("585 mm instead of infinite", " ".join(Run("identify", spur + "lead_mm = 585\n").out.split()))
+        contradiction = self.ok("identify", spur + "lead_mm = 585\n")["identify"]["contradiction"]
+        self.assertEqual((contradiction["reading"], contradiction["expected"]), ("lead", None))
         for more, key in (("lead_mm = 585\nhelix_angle_deg = 0\n", "lead_mm"),
                           ("lead_mm = -585\nhelix_angle_deg = 15\n", "lead_mm"),
                           ("root_diameter_mm = 70\n", "root_diameter_mm")):
