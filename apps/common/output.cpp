@@ -68,8 +68,8 @@ int fail(const Error& error, bool json, const SpecText* text) {
   // An error that refers to an option has no line in the file.
   if (text && error.kind != FailureKind::option) {
     where = printable(text->name) + ":";
-    const auto place = error.field.empty() ? std::nullopt : place_of_key(*text, error.field);
-    if (place) where += fmt::format("{}:{}:", place->line, place->column);
+    if (const auto place = place_of_key(*text, error.field))
+      where += fmt::format("{}:{}:", place->line, place->column);
     where += " ";
   }
   std::fprintf(stderr, "gearwright: %s%s\n", where.c_str(), error.message().c_str());

@@ -1,4 +1,4 @@
-// Finds the position of a key in a JSON text.
+// Finds positions in a JSON text.
 #include <algorithm>
 
 #include "gearwright/spec/parse_spec.hpp"
@@ -7,7 +7,8 @@ namespace gearwright {
 
 namespace {
 
-// Moves through a text. The text is valid JSON, so the syntax is not checked.
+// Moves through a text. The text is valid JSON up to the wanted position, so the syntax is not
+// checked.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}
@@ -52,23 +53,12 @@ class Walk {
   std::size_t at_ = 0;
 };
 
-TextPlace place_at(std::string_view text, std::size_t at) {
-  TextPlace place;
-  for (const char c : text.substr(0, at)) {
-    if (c == '\n') {
-      ++place.line;
-      place.column = 1;
-    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
-      ++place.column;
-    }
-  }
-  return place;
-}
-
 // Moves to the value of the member that is named at the beginning of `path`, and removes this name
-// from `path`. Sets `found` to the position of the key. Returns false if there is no such member.
+// from `path`. Sets `found` to the position of the key. If the path ends with this name and the
+// name occurs twice, sets `found` to the second position. Returns false if there is no such member.
 bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   walk.step();  // skips the brace
+  bool once = false;
   while (walk.here() == '"') {
     const std::size_t at = walk.at();
     const std::string_view key = walk.quoted();
@@ -79,14 +69,19 @@ bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found
         (path.size() == key.size() || path[key.size()] == '.' || path[key.size()] == '[');
     if (whole) {
       found = at;
-      path.remove_prefix(key.size());
-      return true;
+      if (path.size() > key.size()) {
+        path.remove_prefix(key.size());
+        return true;
+      }
+      if (once) break;
+      once = true;
     }
     walk.skip();
     if (walk.here() == ',') walk.step();
     walk.here();
   }
-  return false;
+  if (once) path = {};
+  return once;
 }
 
 // Moves to an element of a list. `path` begins with the number of the element, for example "[2]",
@@ -108,6 +103,19 @@ bool enter_list(Walk& walk, std::string_view& path, std::optional<std::size_t>& 
 }
 
 }  // namespace
+
+TextPlace place_at(std::string_view text, std::size_t at) {
+  TextPlace place;
+  for (const char c : text.substr(0, at)) {
+    if (c == '\n') {
+      ++place.line;
+      place.column = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
+      ++place.column;
+    }
+  }
+  return place;
+}
 
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path) {
   Walk walk(text);

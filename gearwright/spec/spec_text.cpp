@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -30,6 +31,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kDeepest = 32;  // greatest depth of nesting; a spec has fewer than ten levels
+constexpr std::size_t kLongestPath = 120;  // bytes of the path of a key in a message
 
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
@@ -68,6 +70,8 @@ Json to_json(const toml::node& node) {
 class TreeBuilder final : public nlohmann::json_sax<Json> {
  public:
   Json tree;
+  /// Position of the syntax error that was thrown, in bytes.
+  std::optional<std::size_t> error_at;
 
   bool null() override { return add(nullptr); }
   bool boolean(bool v) override { return add(v); }
@@ -82,13 +86,14 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     if (!open_.back().keys.insert(name).second)
-      throw SpecError{
-          {printable(name, 60), "", "occurs twice in one table; leave out one of the two"}};
+      throw SpecError{{printable(path() + name, kLongestPath), "",
+                       "occurs twice in one table; leave out one of the two"}};
     open_.back().key = name;
     return true;
   }
-  bool parse_error(std::size_t, const std::string&,
+  bool parse_error(std::size_t read, const std::string&,
                    const nlohmann::json::exception& error) override {
+    error_at = read - std::min<std::size_t>(read, 1);  // `read` includes the rejected character
     // Messages of the library begin with "[json.exception.parse_error.101] ".
     const std::string what = error.what();
     const std::size_t at = what.find("] ");
@@ -103,13 +108,23 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
     std::string key{};
   };
 
+  // Returns the path of the innermost open object, with a point at its end, "gear1.rack.".
+  std::string path() const {
+    std::string text;
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+      const Open& o = open_[i];
+      text += o.node->is_object() ? o.key : fmt::format("[{}]", o.node->size());
+      if (open_[i + 1].node->is_object()) text += '.';
+    }
+    return text;
+  }
   Json* place(Json value) {
     if (open_.empty()) {
       tree = std::move(value);
       return &tree;
     }
     Open& o = open_.back();
-    if (o.node->is_object()) return &put(*o.node, std::move(o.key), std::move(value));
+    if (o.node->is_object()) return &put(*o.node, o.key, std::move(value));
     o.node->push_back(std::move(value));
     return &o.node->back();
   }
@@ -292,8 +307,15 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
 }
 
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key) {
-  if (text.format == SpecFormat::json)
+  if (text.format == SpecFormat::json) {
+    TreeBuilder builder;
+    try {
+      Json::sax_parse(text.text.begin(), text.text.end(), &builder);
+    } catch (const SpecError&) {
+      if (builder.error_at) return place_at(text.text, *builder.error_at);
+    }
     return key.empty() ? std::nullopt : json_place(text.text, key);
+  }
   if (const auto line = deep_line(text.text)) return TextPlace{*line, 1};
   try {
     const toml::table tables = toml::parse(text.text);

@@ -37,8 +37,9 @@ struct TextPlace {
 
 /// Returns the position of a key, for example "gear1.rack.arcs[2].radius". If the key is absent,
 /// returns the position of the last table on its path that the text contains, or none if there is
-/// no such table. If the text is TOML with a syntax error, returns the position of this error for
-/// every key, even for an empty one. A text in JSON must be valid.
+/// no such table. If the text has a syntax error, returns the position of this error for every key,
+/// even for an empty one. If a table of a JSON text contains the key twice, returns the second
+/// position.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 // Sets one key of a spec's TOML text. Comments, order and blanks remain unchanged, unless the key

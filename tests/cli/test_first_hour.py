@@ -101,8 +101,21 @@ class Places(unittest.TestCase):
         self.assertEqual(self.place(tree.replace('"kind"', '"kinds"'), "a.json"), (3, 34))
         arcs = '{"gear1": {"teeth": 20, "normal_module_mm": 2, "rack": {"kind": "arcs", "addendum": 1, "dedendum": 1, "arcs": [{"radius": 1},\n{"radius": 1, "hm": 2}]}}, "gear2": {"teeth": 30}}'
         self.assertEqual(self.place(arcs, "a.json")[0], 1)
-        r = Run("gear", "[gear1]\nteeth = = 3\n")
-        self.assertIn("case.toml: the spec cannot be read: line 2, column", r.err)
+
+    def test_errors_of_syntax_have_the_same_place(self):
+        for text, name, place in (("[gear1]\nteeth = = 3\n", "a.toml", (2, 9)), ("[gear1]\nteeth = 3\n teeth = 3\n", "a.toml", (3, 10)),
+                                  ('{"gear1": {"teeth" 17}}', "a.json", (1, 21)), ('{"gear1":\n {"teeth": tru}}', "a.json", (2, 15))):
+            r = Run("gear", text, name=name)
+            self.assertEqual(self.place(text, name), place, r.err)
+            self.assertIn(f"{name}:{place[0]}:{place[1]}: the spec cannot be read: ", r.err)
+
+    def test_a_key_that_occurs_twice_in_json_has_a_place(self):
+        for text, key, place in (('{"gear1": {"teeth": 17,\n  "teeth": 18}}', "gear1.teeth", (2, 3)),
+                                 ('{"gear1": {"teeth": 17, "rack": {"arcs": [{}, {"hm": 1,\n "hm": 2}]}}}', "gear1.rack.arcs[2].hm", (2, 2)),
+                                 ('{"gear1": {},\n"gear1": {', "gear1", (2, 1))):
+            self.assertEqual(self.place(text, "a.json"), place)
+            e = Run("pair", text, "--json", name="a.json").json["error"]
+            self.assertEqual((e["key"], e["message"]), (key, f"{key}: occurs twice in one table; leave out one of the two"))
 
 
 class Slips(Asked):
