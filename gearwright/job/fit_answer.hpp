@@ -6,6 +6,7 @@
 // for the other verbs.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
