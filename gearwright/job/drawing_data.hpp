@@ -22,12 +22,12 @@ struct Records {
   UnitSystem units;
   std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
 
-  /// Returns the text of the member with this path. If its values at the two tolerance ends are
-  /// printed differently, the text contains these limits instead of the nominal value. Returns none
-  /// if the member has no value.
+  /// Returns the text of the member with this path. If one of its values at the two tolerance ends
+  /// is not printed like the nominal value, the text contains these limits instead of the nominal
+  /// value. Returns none if the member has no value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
-  /// True if the values of the member with this path are printed differently at the two tolerance
-  /// ends.
+  /// True if a value of the member with this path at a tolerance end is not printed like the nominal
+  /// value.
   bool has_limits(std::string_view path) const;
 
  private:

@@ -137,6 +137,9 @@ TEST(WorkshopDrawing, has_the_limits_of_the_tip_diameter) {
   for (const char* words : {"Ø58 H9", "58.000 … 58.074"})
     EXPECT_TRUE(contains(ring + tip + "\"H9\"", words)) << words;
   expect_clear(pinion + tip + "\"js10\"", "tip with a fit");
+  // Two equal deviations: the only permitted size is not the nominal one, 50 mm.
+  const std::string equal = "\n[gear1.tolerance]\ntip_diameter_deviations_mm = [-0.05, -0.05]";
+  EXPECT_TRUE(contains(pinion + equal, "49.95 … 49.95"));
 }
 
 // Without [gear1.bore], the rim is 2.5 modules thick. With d_f = 62.5 mm, its outside diameter is
