@@ -29,6 +29,10 @@ constexpr std::string_view kPairNotRead =
     "The table [pair] has no effect on a search, which uses center_distance_mm and mounting of "
     "[search].";
 
+constexpr std::string_view kTeethNotRead =
+    "The numbers of teeth, the modules and the profile shifts of [gear1] and [gear2] have no "
+    "effect on a search, which uses pinion_teeth, ratio, modules_mm and profile_shift of [search].";
+
 // If there are more designs than this, the boundaries of their regions are omitted. Each curve of a
 // boundary has 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
@@ -116,6 +120,7 @@ std::vector<SearchReason> reasons_of(const SearchProblem& problem, const SearchR
   if (problem.default_helix_deg) lines.push_back({default_helix_line(problem)});
   if (problem.rating_unused) lines.push_back({std::string(kRatingUnused)});
   if (run.pair_not_read) lines.push_back({std::string(kPairNotRead)});
+  if (run.teeth_not_read) lines.push_back({std::string(kTeethNotRead)});
   if (problem.draw)
     lines.push_back({sentence_in(units, "Designs are " + drawing_line(problem) + ".")});
   if (!run.answer.loaded.empty()) lines.push_back({loaded_line(problem, run.answer)});
@@ -214,6 +219,7 @@ std::vector<Warning> search_warnings(const SearchRun& run) {
                      a.counts.feasible, a.designs.size()));
   }
   if (run.pair_not_read) warn(WarningCode::not_read, std::string(kPairNotRead));
+  if (run.teeth_not_read) warn(WarningCode::not_read, std::string(kTeethNotRead));
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
          "The table [rating] has no effect on this search. This table is used only with "

@@ -93,7 +93,10 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;
   run.problem = &search.problem();
-  run.pair_not_read = spec.tree->tables.contains("pair");
+  const Json& tables = spec.tree->tables;
+  run.pair_not_read = tables.contains("pair");
+  for (const char* gear : {"gear1", "gear2"})
+    if (tables.contains(gear) && tables.at(gear).contains("teeth")) run.teeth_not_read = true;
   run.rating_not_read = spec.rating.given && !search.problem().rating;
   if (search.problem().rating && has_default_face_load(spec))
     run.default_face_load = spec.rating.input.face_load_factor;

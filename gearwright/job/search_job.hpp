@@ -71,6 +71,8 @@ struct SearchRun : SearchView {
   std::vector<std::string> notes;          ///< repairs that were made in the folder
   bool pair_not_read = false;              ///< true if the spec has a [pair], which a search does
                                            ///< not use
+  bool teeth_not_read = false;   ///< true if [gear1] or [gear2] has a number of teeth, which a
+                                 ///< search does not use
   bool rating_not_read = false;  ///< true if the spec has a [rating], which this search does not
                                  ///< use
   std::vector<std::filesystem::path> files;

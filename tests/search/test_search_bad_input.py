@@ -150,6 +150,15 @@ class Refused(Asked):
         r = Run("search", spec(after="[pair]\ncenter_distance_mm = 100\n"), folder=folder())
         self.assertIn("The table [pair] has no effect on a search", " ".join(r.out.split()))
 
+    def test_teeth_of_a_gear_beside_the_search_are_not_read_and_that_is_said(self):
+        for after in ("[gear1]\nteeth = 20\nnormal_module_mm = 2\n", "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n"):
+            r = Run("search", spec(after=after), "--json", folder=folder())
+            self.assertEqual([w["code"] for w in r.json["warnings"]], ["not_read"], r.json["warnings"])
+            self.assertIn("uses pinion_teeth, ratio", r.json["warnings"][0]["message"])
+            r = Run("search", spec(after=after), folder=folder())
+            self.assertIn("have no effect on a search", " ".join(r.out.split()))
+        self.assertEqual(Run("search", spec(after="[gear1]\nface_width_mm = 18\n"), "--json", folder=folder()).json["warnings"], [])
+
     def test_take(self):
         for text, rank, words in ((spec(), 47, "must be 1 to 46"), (spec(contact_ratio_min=1.95), 1, "no design is feasible")):
             r = Run("search", text, "--take", rank, "--json", folder=folder())
