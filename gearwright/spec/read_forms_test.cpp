@@ -201,5 +201,26 @@ TEST(ReadForms, a_quantity_is_given_by_one_of_several_keys) {
             "keys give the normal module; leave out one of the two");
 }
 
+// A cutter takes the helix angle of its gear with the opposite hand, and that of a ring with the
+// same hand, in whichever way the gear gives the angle.
+TEST(ReadForms, a_cutter_takes_the_helix_angle_of_its_gear) {
+  const auto helix_of_cutter = [](int teeth, const std::string& keys) {
+    const JobSpec spec =
+        read_form("[gear1]\nteeth = " + std::to_string(teeth) + "\nnormal_module_mm = 2\n" + keys +
+                  "[gear1.cut_by]\nteeth = 20\n");
+    return spec.gear(1).cut_by->cutter->cylindrical.helix_angle.deg();
+  };
+  for (const int teeth : {60, -60}) {
+    const double own = teeth > 0 ? -15.0 : 15.0;
+    EXPECT_NEAR(helix_of_cutter(teeth, "helix_angle_deg = 15\n"), own, 1e-12);
+    EXPECT_NEAR(helix_of_cutter(teeth, "lead_angle_deg = 75\nhand = \"right\"\n"), own, 1e-12);
+    EXPECT_NEAR(helix_of_cutter(teeth, "lead_angle_deg = 75\nhand = \"left\"\n"), -own, 1e-12);
+  }
+  EXPECT_NE(refused_form("[gear1]\nteeth = 0\nnormal_module_mm = 2\nhelix_angle_deg = 15\n"
+                         "[gear1.cut_by]\nteeth = 20\n")
+                .find("gear1.teeth = 0: must not be 0"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -159,9 +160,11 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
 }
 
 // Returns the table of a cutter. The module and the angles that it omits are taken from the gear
-// or, if the gear does not give them either, from the mating gear. The helix angle of the gear is
-// copied with the opposite hand or, for an internal gear, with the same hand.
-Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
+// or, if the gear does not give them either, from the mating gear. The helix angle of the gear,
+// `helix_deg`, is copied with the opposite hand or, for an internal gear, with the same hand.
+// `side` is +1 for an external gear and −1 for an internal gear.
+Json with_shared_keys(const Json& cutter, const Json& gear, double side,
+                      const std::optional<double>& helix_deg, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
     const std::vector<std::string> keys = gear_keys().ways(key_of_both);
@@ -172,9 +175,8 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   }
   static const std::vector<std::string> kHelix{"helix_angle_deg", "lead_angle_deg", "hand"};
   if (has_any(cutter, kHelix)) return whole;
-  if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
-    const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
-    whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
+  if (helix_deg) {
+    whole["helix_angle_deg"] = -side * *helix_deg;
   } else if (!has_any(gear, kHelix) && mate) {  // the cutter has the helix of the mating gear
     for (const std::string& key : kHelix) {
       if (mate->contains(key)) whole[key] = (*mate)[key];
@@ -211,9 +213,11 @@ Rack read_rack(TableReader& gear, std::optional<double> module) {
   return read_table<RackOfArcs>(keys, *node, path);
 }
 
-// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear. `mate` is the table of
-// the other gear, or null.
-void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
+// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear, and `helix_deg` its
+// helix angle, if it is given. `mate` is the table of the other gear, or null. The number of teeth
+// of `g` has been read.
+void read_cut_by(TableReader& gear, const Json& node, const std::optional<double>& helix_deg,
+                 const Json* mate, GearInput& g) {
   const auto total = gear.number("profile_shift_pair");
   const Json* by = gear.any("cut_by");
   if (!by) {
@@ -239,7 +243,8 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
                     "modifications in the table of the gear"}}) {
       if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
     }
-    GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
+    const Json whole = with_shared_keys(*by, node, side_of(g.cylindrical.teeth), helix_deg, mate);
+    GearInput cutter = read_gear(cutter_keys(), whole, path);
     if (cutter.cylindrical.teeth < 0)
       gear.fail("cut_by.teeth",
                 "must be positive, because an internal gear cannot be a pinion cutter");
@@ -292,7 +297,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   c.rack = read_rack(t, module);
   g.rack_given = t.has("rack");
   if (keys.find("cut_by")) {
-    read_cut_by(t, node, mate, g);
+    read_cut_by(t, node, helix, mate, g);
   }
   if (keys.find("modifications")) g.modifications = read_modifications(t, folder);
   check_tolerance(t, g);
