@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,7 +77,12 @@ bool is_rexs_number(const RexsComponent& component, std::string_view attribute);
 /// Returns an error if an attribute that is read as a number is not a decimal number or has another
 /// unit than REXS specifies for it, or if a number of teeth is not whole or is too large. The error
 /// names the component, the attribute and the value. An attribute without a unit has its usual unit.
-std::optional<Error> rexs_number_error(const RexsModel& model);
+std::optional<Error> rexs_number_error(const RexsComponent& component);
+
+/// Returns the ids of the components that are connected with a cylindrical stage by relations. A
+/// connection through the gear unit, which contains all parts, does not count. spec_of_rexs() reads
+/// numbers of these components only.
+std::set<std::string, std::less<>> rexs_parts_of_stages(const RexsModel& model);
 
 /// True if the name ends in .rexs (XML), .rexsj (JSON) or .rexsz (a ZIP archive).
 bool is_rexs(const std::filesystem::path& path);
@@ -95,10 +101,10 @@ struct RexsSpec {
   std::vector<std::string> notes;  ///< one sentence about each part that was not read
 };
 
-/// Errors    those of rexs_number_error(); a model without cylindrical stages, or with stages of another type; stages that form
-///           neither a chain nor planetary sets (rexs_chain, set_of_rexs); members of a planetary
-///           set with different modules or pressure angles; a stage without two gears; a gear without
-///           a number of teeth
+/// Errors    those of rexs_number_error() for the parts of cylindrical stages; a model without
+///           cylindrical stages, or with stages of another type; stages that form neither a chain
+///           nor planetary sets (rexs_chain, set_of_rexs); members of a planetary set with different
+///           modules or pressure angles; a stage without two gears; a gear without a number of teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
 /// Returns the spec as TOML. Comments at its beginning name the version of the file and the parts

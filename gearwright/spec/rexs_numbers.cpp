@@ -1,10 +1,14 @@
-// The numbers of a REXS file that are read, with their units, and their check.
+// The numbers of a REXS file that are read, with their units, and their check. The file also finds
+// the components that can affect a spec.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <set>
+#include <vector>
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/spec/rexs_set.hpp"
@@ -80,33 +84,56 @@ bool is_rexs_number(const RexsComponent& component, std::string_view attribute) 
   return row_of(component.type, attribute) != nullptr;
 }
 
-std::optional<Error> rexs_number_error(const RexsModel& model) {
-  for (const RexsComponent& c : model.components) {
-    for (const auto& [attribute, text] : c.attributes) {
-      const RexsNumber* const row = row_of(c.type, attribute);
-      if (!row) continue;
-      const auto wrong = [&](std::string_view shown, const std::string& rule) {
-        return Error{"", "",
-                     fmt::format("component {} has `{}` = \"{}\"{}", rexs_name(c), row->attribute,
-                                 printable(std::string(shown), kLongValue), rule)};
-      };
-      const auto value = c.number(attribute);
-      if (!value)
-        return wrong(text,
-                     ", which is not a number; write a number with a decimal point and without a "
-                     "unit, such as 12.5");
-      if (row->attribute == kTeeth &&
-          (*value != std::round(*value) || std::abs(*value) > kMostTeeth))
-        return wrong(text, fmt::format("; the number of teeth must be whole and at most {:.0f}",
-                                       kMostTeeth));
-      if (const auto unit = c.units.find(attribute);
-          unit != c.units.end() && !same_unit(unit->second, std::string(row->unit)))
-        return wrong(text, fmt::format(" with the unit \"{}\"; convert the value to the unit "
-                                       "\"{}\", which REXS specifies for this attribute",
-                                       printable(unit->second, kLongValue), row->unit));
-    }
+std::optional<Error> rexs_number_error(const RexsComponent& c) {
+  for (const auto& [attribute, text] : c.attributes) {
+    const RexsNumber* const row = row_of(c.type, attribute);
+    if (!row) continue;
+    const auto wrong = [&](std::string_view shown, const std::string& rule) {
+      return Error{"", "",
+                   fmt::format("component {} has `{}` = \"{}\"{}", rexs_name(c), row->attribute,
+                               printable(std::string(shown), kLongValue), rule)};
+    };
+    const auto value = c.number(attribute);
+    if (!value)
+      return wrong(text,
+                   ", which is not a number; write a number with a decimal point and without a "
+                   "unit, such as 12.5");
+    if (row->attribute == kTeeth && (*value != std::round(*value) || std::abs(*value) > kMostTeeth))
+      return wrong(
+          text, fmt::format("; the number of teeth must be whole and at most {:.0f}", kMostTeeth));
+    if (const auto unit = c.units.find(attribute);
+        unit != c.units.end() && !same_unit(unit->second, std::string(row->unit)))
+      return wrong(text, fmt::format(" with the unit \"{}\"; convert the value to the unit "
+                                     "\"{}\", which REXS specifies for this attribute",
+                                     printable(unit->second, kLongValue), row->unit));
   }
   return std::nullopt;
+}
+
+std::set<std::string, std::less<>> rexs_parts_of_stages(const RexsModel& model) {
+  std::set<std::string, std::less<>> units, parts;
+  std::vector<std::string> next;
+  for (const RexsComponent& c : model.components) {
+    if (c.type == "gear_unit") units.insert(c.id);
+    if (c.type == "cylindrical_stage") next.push_back(c.id);
+  }
+  std::multimap<std::string, const RexsRelation*> relations_of;
+  for (const RexsRelation& r : model.relations)
+    for (const auto& ref : r.refs)
+      if (!units.contains(ref.second)) relations_of.emplace(ref.second, &r);
+  std::set<const RexsRelation*> followed;
+  while (!next.empty()) {
+    const std::string id = std::move(next.back());
+    next.pop_back();
+    if (!parts.insert(id).second) continue;
+    const auto [begin, end] = relations_of.equal_range(id);
+    for (auto it = begin; it != end; ++it) {
+      if (!followed.insert(it->second).second) continue;
+      for (const auto& ref : it->second->refs)
+        if (!units.contains(ref.second)) next.push_back(ref.second);
+    }
+  }
+  return parts;
 }
 
 }  // namespace gearwright

@@ -24,7 +24,7 @@ bool is_rexs_gear(const RexsComponent& component);
 std::string rexs_name(const RexsComponent& component);
 /// z, which is negative for a ring.
 ///
-/// Domain    a gear with `number_of_teeth`, of a model without rexs_number_error()
+/// Domain    a gear with `number_of_teeth`, without rexs_number_error()
 int rexs_teeth(const RexsComponent& gear);
 
 struct RexsStage {

@@ -25,7 +25,7 @@ class Reader {
   explicit Reader(const RexsModel& model) : model_(model) {}
 
   Result<RexsSpec> spec() {
-    if (auto error = rexs_number_error(model_)) return *error;
+    if (auto error = check_numbers()) return *error;
     if (auto error = find_stages()) return *error;
     auto links = rexs_links(model_, stages_);
     if (!links) return links.error();
@@ -39,6 +39,19 @@ class Reader {
   }
 
  private:
+  // Returns the error of the first wrong number of a part of a stage. A wrong number of another
+  // component does not affect the spec, so it is only noted.
+  std::optional<Error> check_numbers() {
+    const auto parts = rexs_parts_of_stages(model_);
+    for (const Component& c : model_.components) {
+      const auto error = rexs_number_error(c);
+      if (!error) continue;
+      if (parts.contains(c.id)) return *error;
+      note(fmt::format("A component without a cylindrical stage is not read: {}.", error->rule));
+    }
+    return std::nullopt;
+  }
+
   std::optional<Error> find_stages() {
     for (const char* type : {"bevel_stage", "worm_stage", "general_stage"})
       for (const Component* stage : model_.of_type(type))

@@ -2,11 +2,12 @@
 // its shafts, and a planetary stage, alone or in a chain, has the teeth of its members   (3) broken
 // input is an error   (4) a gear or a stage that is no part of the drive that is read is an error
 // with its name   (5) a number that is read is a decimal number in the unit of its attribute; other
-// texts and units are errors.
+// texts and units are errors, or notes if no stage uses the component.
 #include "gearwright/spec/rexs_file.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace gearwright {
@@ -151,8 +152,27 @@ TEST(Rexs, ANumberThatIsReadHasTheUnitOfItsAttribute) {  // (5)
   for (const char* unit : {"deg", "°"}) {
     RexsComponent gear{"1", "ring_gear", ""};
     gear.set("helix_angle_reference_diameter", 15, unit);
-    EXPECT_FALSE(rexs_number_error({"1.3", "", {gear}, {}}));
+    EXPECT_FALSE(rexs_number_error(gear));
   }
+}
+
+TEST(Rexs, AWrongNumberOfAnUnusedComponentIsANote) {  // (5)
+  const auto with_spare_shaft = [](const std::string& relations) {
+    std::string xml = pair_with("");
+    xml.insert(xml.find("</relations>"), on("u", "1") + on("u", "99") + relations);
+    xml.insert(xml.find("</components>"),
+               component("u", "gear_unit") +
+                   component("99", "shaft",
+                             "<attribute id=\"rotational_speed\" unit=\"1 / min\">78,5"
+                             "</attribute>"));
+    return xml;
+  };
+  const RexsSpec s = read(with_spare_shaft(""));
+  const char* const named = "component shaft 99 has `rotational_speed` = \"78,5\"";
+  EXPECT_TRUE(std::any_of(s.notes.begin(), s.notes.end(), [&](const std::string& note) {
+    return note.find(named) != std::string::npos;
+  }));
+  EXPECT_NE(rexs_refusal(with_spare_shaft(on("99", "2"))).find(named), std::string::npos);
 }
 
 TEST(Rexs, StagesAreInTheOrderOfTheirShafts) {
