@@ -90,7 +90,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
   const UnitSystem units = job.spec.units();
   // The transmission error of a rack is a displacement along the rack.
-  const std::string_view error_unit = r.rack ? unit_text(units, Unit::um) : "arcsec";
+  const std::string_view error_unit = unit_text(units, r.rack ? Unit::um : Unit::arcsec);
   const auto error_text = [&](Angle te, int decimals) {
     return r.rack ? text_in(units, Unit::um, kUmPerMm * r.rack.of(te), decimals)
                   : fixed_decimals(te.arcsec(), decimals);
@@ -104,7 +104,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     records.push_back(contact_quantities().of(half));
   }
   out += quantity_listing(job.spec.units(), contact_quantities().table(), records, columns);
-  const auto row = [&](const char* what, const std::string& value) {
+  const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
   for (std::size_t i = 0; i < kErrorCount; ++i) {
@@ -112,9 +112,10 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     const double value = job.spec.errors.value[i];
     if (value == 0.0) continue;
     const bool tilt = error.kind == ErrorKind::crossing || error.kind == ErrorKind::intersecting;
-    row(key_in(units, fmt::format("errors.{}", error.key)).c_str(),
-        fmt::format("{}", value_in(units, unit_of(error.key), value)) +
-            (tilt ? ", which is " + over_face(job, value) : ""));
+    const Unit unit = unit_of(error.key);
+    row(fmt::format("Error, {}", error.words),
+        fmt::format("{}{}{}{}", value_in(units, unit, value), unit == Unit::deg ? "" : " ",
+                    unit_text(units, unit), tilt ? ", which is " + over_face(job, value) : ""));
   }
   std::string legend;
   row("Contact", kinds_of(r, legend));
