@@ -21,12 +21,12 @@ Json rated(const Json& load, const Json& wanted = Json::object()) {
   return testing::answered(tree, "rate");
 }
 
-Json one_step(double torque_Nm) {
-  return {{"spectrum", {{{"torque_Nm", torque_Nm}, {"speed_rpm", 1500}, {"duration_h", 100000}}}}};
+Json one_step(double torque_Nm, double hours = 100000) {
+  return {{"spectrum", {{{"torque_Nm", torque_Nm}, {"speed_rpm", 1500}, {"duration_h", hours}}}}};
 }
 
-Json single(double torque_Nm) {
-  return {{"torque_Nm", torque_Nm}, {"speed_rpm", 1500}, {"life_h", 100000}};
+Json single(double torque_Nm, double hours = 100000) {
+  return {{"torque_Nm", torque_Nm}, {"speed_rpm", 1500}, {"life_h", hours}};
 }
 
 TEST(RatingSpectrum, of_one_step_is_the_single_load) {
@@ -75,6 +75,27 @@ TEST(RatingSpectrum, is_judged_like_a_single_load) {
   EXPECT_NE(good["verdict"]["headline"].get<std::string>().find(
                 "Under the load spectrum, the lowest safety factor is "),
             std::string::npos);
+}
+
+// The flanks do not withstand 450 N m for an unlimited life, but they do for one hour. Beside a
+// spectrum, a single load has no life, so its safety factors are not judged.
+TEST(RatingSpectrum, replaces_the_single_load_in_the_verdict) {
+  const Json a = rated(one_step(450, 1)), b = rated(single(450, 1));
+  ASSERT_LT(a["rating"]["S_H"][0].get<double>(), 1.0);
+  EXPECT_NEAR(a["rating"]["S_H_spectrum"][0].get<double>(), b["rating"]["S_H"][0].get<double>(),
+              1e-6);
+  EXPECT_EQ(b["verdict"]["level"], "green");
+  EXPECT_EQ(a["verdict"]["level"], "green");
+  Json beside = one_step(200);
+  beside.update({{"torque_Nm", 450}, {"speed_rpm", 1500}, {"application_factor", 1.5}});
+  EXPECT_EQ(rated(beside)["verdict"]["level"], "green");
+  // The remedy is that of the same load with a life.
+  const Json weak = rated(one_step(2000, 1)), alone = rated(single(2000, 1));
+  ASSERT_EQ(weak["verdict"]["level"], "red");
+  const auto remedy = [](const Json& answer) {
+    return answer["verdict"]["findings"][0]["remedy"].get<std::string>();
+  };
+  EXPECT_EQ(remedy(weak), remedy(alone));
 }
 
 }  // namespace

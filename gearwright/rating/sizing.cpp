@@ -141,17 +141,14 @@ std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingIn
                                            const std::vector<LoadBin>& spectrum) {
   // A steel is no alternative to a plastic.
   if (input.edition == RatingEdition::vdi_2736) return std::nullopt;
-  const auto single = safeties(pair, input, {});
-  const auto whole = spectrum.empty() ? single : safeties(pair, input, spectrum);
-  if (!single || !whole) return std::nullopt;
+  const auto found = safeties(pair, input, spectrum);
+  if (!found) return std::nullopt;
   for (const std::string_view name : kSteelsByStrength) {
     RatingInput in = input;
     for (std::size_t i = 0; i < 2; ++i) {
-      if (!holds((*single)[i], wanted) || !holds((*whole)[i], wanted))
-        in.materials[i] = *material_named(name);
+      if (!holds((*found)[i], wanted)) in.materials[i] = *material_named(name);
     }
-    if (safe(pair, in, wanted, {}) && (spectrum.empty() || safe(pair, in, wanted, spectrum)))
-      return std::string(name);
+    if (safe(pair, in, wanted, spectrum)) return std::string(name);
   }
   return std::nullopt;
 }

@@ -56,9 +56,8 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
                                                                    "31CrMoV9", "17CrNiMo6"};
 /// Returns the weakest of these steels that makes the safety factors sufficient if it replaces the
-/// material of the gears whose safety factors are too low. With a spectrum, the safety factors of
-/// the single load must be sufficient too. Returns none if there is no such steel, if the pair
-/// cannot be rated, or for a rating of plastics.
+/// material of the gears whose safety factors are too low. Returns none if there is no such steel,
+/// if the pair cannot be rated, or for a rating of plastics.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const Safeties& wanted,
                                            const std::vector<LoadBin>& spectrum = {});

@@ -130,15 +130,10 @@ std::string rating_remedy(const JudgedRating& rating) {
   // A computed K_Hβ applies only to the face width and to the torque for which it was computed, so
   // no other face width or torque can be recommended.
   const bool fixed = rating.input->face_load_computed;
-  const auto width_under = [&](const std::vector<LoadBin>& steps) {
-    return face_width_of_safety(pair, *rating.input, rating.wanted,
-                                kMostFaceModules * pair.normal_module, steps);
-  };
-  auto face = fixed ? std::nullopt : width_under({});
-  if (face && rating.spectrum) {
-    const auto whole = width_under(rating.steps);
-    face = whole ? std::optional(std::max(*face, *whole)) : std::nullopt;
-  }
+  const auto face = fixed
+                        ? std::nullopt
+                        : face_width_of_safety(pair, *rating.input, rating.wanted,
+                                               kMostFaceModules * pair.normal_module, rating.steps);
   const auto steel = steel_of_safety(pair, *rating.input, rating.wanted, rating.steps);
   std::string text;
   if (face && *face > pair.face_width) {
@@ -182,9 +177,13 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
   };
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
-    judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
-    judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
-    if (!rating.spectrum) continue;
+    if (!rating.spectrum) {
+      judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
+      judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
+      continue;
+    }
+    // By ISO 6336-6, the spectrum replaces the single load, K_A and the life. The single load has
+    // no life beside a spectrum, so its safety factors would be those of endurance.
     judge(WarningCode::spectrum_safety, "root breakage under the load spectrum", which,
           rating.spectrum->S_F[i], rating.wanted.root);
     judge(WarningCode::spectrum_safety, "pitting under the load spectrum", which,

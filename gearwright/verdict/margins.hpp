@@ -25,8 +25,9 @@ std::vector<Finding> contact_findings(const PatternPlace& place);
 /// raised too, and the text has no torque.
 std::string rating_remedy(const JudgedRating& rating);
 
-/// Returns one finding for each safety factor below its required value, under the single load and
-/// under the spectrum. The finding is red if the safety factor is below 1, and otherwise amber.
+/// Returns one finding for each safety factor below its required value, under the spectrum or, if
+/// there is none, under the single load. The finding is red if the safety factor is below 1, and
+/// otherwise amber.
 std::vector<Finding> rating_findings(const JudgedRating& rating);
 
 }  // namespace gearwright::detail
