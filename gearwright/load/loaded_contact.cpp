@@ -34,6 +34,21 @@ void add_swing(LoadedTorque& to, std::size_t g, const detail::RootSwing& more) {
   least = least.size() == 0 ? more.least : MatrixXd(least.cwiseMin(more.least));
 }
 
+// Subtracts from the transmission error the mean rotation of gear 2 by the displacement of the axes,
+// which is the difference between Θ of the positions and the approach of their meshes. `sign` is +1
+// or −1, as ContactPair::turned(). [T12.36a]
+void leave_out_displacement(LoadedTorque& t, double sign, double base_radius) {
+  double sum = 0.0;
+  int solved = 0;
+  for (const LoadedPosition& p : t.positions) {
+    if (!p.solved()) continue;
+    sum += sign * (p.unloaded_te.rad() - p.te.rad()) - p.approach / base_radius;
+    ++solved;
+  }
+  for (LoadedPosition& p : t.positions)
+    if (p.solved()) p.te = Angle::radians(p.te.rad() + sign * sum / solved);
+}
+
 }  // namespace
 
 std::vector<Angle> rotations_of(const ContactPair& pair, const LoadRequest& request) {
@@ -137,6 +152,7 @@ LoadedContact LoadedTurn::result() const {
     }
     result.unfinished += std::count_if(t.positions.begin(), t.positions.end(),
                                        [](const LoadedPosition& p) { return p.unfinished; });
+    if (shafts) leave_out_displacement(t, pair_.turned(), two_.base_radius());
     summarise(t, basis);
     if (shafts && t.face_load.size() > 0) t.shafts = shafts->under(t.face_load);
     if (perfect_share_[k].empty()) continue;

@@ -161,12 +161,10 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
   out.unfinished = !x.found();
   if (out.unfinished) return out;
   out.max_pressure = out.max_width_ratio = 0.0;
-  // The displacement of the axes is not a deflection of the mesh, so it is subtracted. The
-  // transmission error contains its variation with the rotation and with the load, so a constant
-  // is subtracted there. [T12.36], [T12.36a]
-  const double arm = base_radius_ * std::sqrt(1 - sin_b_ * sin_b_);
-  out.te =
-      Angle::radians(sign * (at.te - (x.approach - shafts_.of_axes() / (arm * arm) * q.moment)));
+  // The displacement of the axes is not a deflection of the mesh, so it is subtracted from the
+  // approach. LoadedTurn::result() subtracts its mean over the positions from the transmission
+  // error. [T12.36], [T12.36a]
+  out.te = Angle::radians(sign * (at.te - x.approach));
   double approach = x.approach;
   double tangent = x.yield_per_moment;
   if (shafts_.any()) {

@@ -56,7 +56,8 @@ class PositionSolver {
     return search_.slope(pair, static_cast<std::size_t>(slice), influence);
   }
   /// Solves the contact problem and adds the root stresses to `swing`. If the slices are too fine,
-  /// sets `too_fine`.
+  /// sets `too_fine`. The transmission error of the result contains the whole displacement of the
+  /// axes by the shafts.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
   /// Returns the greatest share of a single tooth pair, 0 if no teeth touch, or NaN if the forces

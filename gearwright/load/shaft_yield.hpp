@@ -55,9 +55,6 @@ class ShaftYield {
   /// Returns S for a contact at the pitch point in every slice. The slices are in the order of
   /// ascending z in the housing frame.
   const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
-  /// Returns the mean of S at the pitch point, mm/N, which is the displacement of the axes under a
-  /// uniform load. It is excluded from the transmission error. [T12.36]
-  double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
   /// Returns slope and bow of the approach of the flanks. `line_load`, N/mm, has a value for each
   /// slice, in the order of ascending z in the housing.
   FaceDeflection under(const Eigen::VectorXd& line_load) const;
