@@ -45,12 +45,16 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Returns the speeds of all bodies. A single input has the speed 1. Several inputs have the speeds
-// that the user gives. Returns none if these speeds are missing.
+// Returns the speeds of all bodies for the torque 1 on the first input. A single input has the speed
+// 1. Several inputs have the speeds that the user gives, all with the opposite sign if the torque on
+// the first input is negative, because friction depends on the direction of the power. Without a
+// given torque, the first input delivers power. Returns none if the speeds are missing.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
-  const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
+  std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
   if (inputs.size() != graph.inputs.size()) return std::nullopt;
+  if (inputs.size() > 1 && graph.torque_Nm.value_or(inputs.front()) < 0.0)
+    for (double& speed : inputs) speed = -speed;
   std::vector<double> speeds;
   for (std::size_t b = 0; b < graph.bodies.size(); ++b)
     speeds.push_back(drive.motion.speed(b, inputs));

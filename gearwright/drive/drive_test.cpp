@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -187,6 +188,38 @@ TEST(Drive, AnInputThatAbsorbsPowerIsReported) {
       "The input ring absorbs 100.00 % of the power that flows in, because its torque and its "
       "speed have opposite signs. The output carrier delivers power to the drive.");
   EXPECT_NE(reported(-400).find("The input ring absorbs 66.67 % of the power"), std::string::npos);
+}
+
+// If all speeds and torques are reversed, the directions of all powers remain. The power that flows
+// in is greater than the power that flows out in each of the four cases. Without a torque, the first
+// input delivers power.
+TEST(Drive, ReversedInputsHaveTheSameFlow) {
+  PlanetarySpec set = simple_set(24, 18, 60, 0.98, 0.98);
+  set.fixed = std::vector<std::string>{};
+  set.inputs = {"sun", "ring"};
+  const auto flow = [&](double sense, std::optional<double> torque) {
+    set.speeds_rpm = {sense * 1500, sense * 300};
+    set.torque_Nm = torque;
+    return made(set).flow.value();
+  };
+  const auto same = [](const PowerFlow& a, const PowerFlow& b) {
+    return a.efficiency == b.efficiency && a.driver == b.driver && a.torque == b.torque;
+  };
+  const PowerFlow forward = flow(1, 60), against = flow(1, -60);
+  EXPECT_TRUE(same(flow(-1, -60), forward));
+  EXPECT_TRUE(same(flow(1, std::nullopt), forward));
+  EXPECT_TRUE(same(flow(-1, std::nullopt), forward));
+  EXPECT_TRUE(same(flow(-1, 60), against));
+  // If sun and planet drive, T_ring = 60/24 η² T_sun. If planet and ring drive, T_ring = 60/24 T_sun/η².
+  const auto bodies = made(set).graph.bodies;
+  const auto ring = static_cast<std::size_t>(
+      std::ranges::find(bodies, "ring", &DriveBody::name) - bodies.begin());
+  EXPECT_NEAR(forward.torque.at(ring), 2.5 * 0.98 * 0.98, 1e-12);
+  EXPECT_NEAR(against.torque.at(ring), 2.5 / (0.98 * 0.98), 1e-12);
+  for (const PowerFlow& one : {forward, against}) {
+    EXPECT_GT(one.efficiency, 0.98);
+    EXPECT_LT(one.efficiency, 1.0);
+  }
 }
 
 // The torque and the speed of a single input have the same sign, because power flows in.
