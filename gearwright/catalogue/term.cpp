@@ -42,7 +42,8 @@ constexpr std::array kUnitRows{UnitRow{Unit::none, "", "", 5},
                                UnitRow{Unit::inch, "in", "_in", 5},
                                UnitRow{Unit::microinch, "µin", "_uin", 2},
                                UnitRow{Unit::per_inch, "1/in", "_per_in", 5},
-                               UnitRow{Unit::inch_per_rad, "in/rad", "_in_per_rad", 5}};
+                               UnitRow{Unit::inch_per_rad, "in/rad", "_in_per_rad", 5},
+                               UnitRow{Unit::pound, "lb", "_lb", 6}};
 
 const UnitRow& row(Unit unit) {
   const UnitRow& r = kUnitRows[static_cast<std::size_t>(unit)];
