@@ -39,7 +39,8 @@ void require_parallel(const TableReader& t, const SearchProblem& problem, const 
 inline constexpr double kSearchFaceLoad = 1.4;
 
 /// Adds the default `face_load_factor` to the table [rating] of a search, if the table has neither
-/// this key nor [rating.mounting]. A rating by VDI 2736 and the rating of a complete pair have no
+/// this key nor [rating.mounting]. The key `face_load_factor_assumed` marks the default, also in
+/// the specs of the designs. A rating by VDI 2736 and the rating of a complete pair have no
 /// default.
 void lend_face_load(Json& tree);
 

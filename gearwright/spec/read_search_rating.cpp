@@ -89,8 +89,9 @@ void lend_face_load(Json& tree) {
   if (tree.contains("gear1") && tree["gear1"].contains("teeth")) return;
   Json& rating = tree["rating"];
   const bool plastic = rating.value("standard", Json()) == "VDI 2736:2014";
-  if (!plastic && !rating.contains("face_load_factor") && !rating.contains("mounting"))
-    rating["face_load_factor"] = kSearchFaceLoad;
+  if (plastic || rating.contains("face_load_factor") || rating.contains("mounting")) return;
+  rating["face_load_factor"] = kSearchFaceLoad;
+  rating["face_load_factor_assumed"] = true;
 }
 
 bool has_default_face_load(const JobSpec& spec) {
