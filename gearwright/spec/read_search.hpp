@@ -6,6 +6,8 @@
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
+#include <array>
+
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_keys.hpp"
 #include "gearwright/design/drive_search.hpp"
@@ -17,7 +19,14 @@
 namespace gearwright {
 
 /// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
-SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
+/// The default step of face widths depends on the units of the spec.
+SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2,
+                          UnitSystem units);
+
+/// Usual face widths, as multiples of the reference diameter of the pinion. A wider pinion bends
+/// and twists so much that only a part of its face carries load. Narrower gears are rare in
+/// reducers.
+inline constexpr std::array kUsualFace{0.2, 1.0};
 
 /// Returns the default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the
 /// widths are round numbers in the units of the spec.

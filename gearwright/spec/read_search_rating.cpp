@@ -52,10 +52,6 @@ constexpr const char* kNeedsRating =
     "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
     "power_kW), speed_rpm = 1500 and quality = 6, and [gear1.material] with name = \"16MnCr5\"";
 
-// Usual face widths, as multiples of the reference diameter of the pinion. A wider pinion bends and
-// twists so much that only a part of its face carries load. Narrower gears are rare in reducers.
-constexpr std::array kUsualFace{0.2, 1.0};
-
 // Returns the first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
