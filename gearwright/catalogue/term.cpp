@@ -98,6 +98,7 @@ constexpr std::array kTerms{
     Term{"normal", "normal"},
     Term{"normal_base_mm", "normal backlash, shortest distance of the flanks", "j_bn"},
     Term{"normal_base_pitch_mm", "normal base pitch", "p_bn"},
+    Term{"normal_diametral_pitch_per_in", "normal diametral pitch", "P_nd"},
     Term{"normal_mm", "backlash in the normal section", "j_n"},
     Term{"normal_module_mm", "normal module", "m_n"},
     Term{"normal_pressure_angle_deg", "normal pressure angle", "α_n"},
