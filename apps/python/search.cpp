@@ -183,13 +183,14 @@ template <class Run>
 auto plain_members(Run& run) {
   auto& answer = run.answer;
   auto& counts = answer.counts;
-  return std::tie(counts.tested, counts.feasible, counts.rejected, counts.points_tested,
-                  counts.points_feasible, answer.pareto, answer.cut, run.changes_left_out,
-                  run.notes);
+  return std::tie(counts.tested, counts.feasible, counts.rejected, counts.findings,
+                  counts.points_tested, counts.points_feasible, answer.pareto, answer.cut,
+                  run.changes_left_out, run.notes, run.safest_finding);
 }
 using PlainMembers =
-    std::tuple<std::int64_t, std::int64_t, std::array<std::int64_t, kLimits>, std::int64_t,
-               std::int64_t, std::vector<std::size_t>, bool, std::string, std::vector<std::string>>;
+    std::tuple<std::int64_t, std::int64_t, std::array<std::int64_t, kLimits>,
+               std::array<std::int64_t, kWarningCodes>, std::int64_t, std::int64_t,
+               std::vector<std::size_t>, bool, std::string, std::vector<std::string>, std::string>;
 using Change = std::tuple<std::string, std::string, std::string, double>;
 
 py::tuple kept_search(const Found& found) {

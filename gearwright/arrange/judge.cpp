@@ -315,6 +315,27 @@ GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
   return given;
 }
 
+bool rejects_design(const Finding& finding) {
+  return finding.level != Level::green && finding.code != WarningCode::rating_plastic;
+}
+
+// True if a verdict lists `a` before `b`.
+bool is_before(const Finding& a, const Finding& b) {
+  return a.level != b.level ? a.level > b.level : a.code < b.code;
+}
+
+// Adds the rating of the drawing to `with`, and its limits to the warnings. Returns false if the
+// drawing cannot be rated. `rated` must outlive `with`.
+bool add_rating(const SearchProblem& problem, Arranged& arranged,
+                std::optional<RatedDrawing>& rated, JudgedWith& with) {
+  if (!problem.rating) return true;
+  rated = rate_drawing(problem, arranged);
+  if (!rated) return false;
+  with.rating = JudgedRating{&rated->pair, &rated->input, &rated->rating, rated->wanted};
+  for (const Warning& limit : rated->rating.limits) arranged.warnings.push_back(limit);
+  return true;
+}
+
 }  // namespace
 
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
@@ -327,25 +348,38 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
                       arranged.ends->lower.pair->stated_backlash().normal};
   JudgedWith with;
   std::optional<RatedDrawing> rated;
-  if (problem.rating) {
-    rated = rate_drawing(problem, arranged);
-    if (!rated) return drawn;
-    with.rating = JudgedRating{&rated->pair, &rated->input, &rated->rating, rated->wanted};
-    for (const Warning& limit : rated->rating.limits) arranged.warnings.push_back(limit);
-  }
+  if (!add_rating(problem, arranged, rated, with)) return drawn;
   drawn.runs = true;
   bool wider_helps = problem.sizes_faces();
+  std::optional<Finding> worst;
   visit_states(arranged, with, [&](const JudgedState& state) {
     for (const Finding& finding : state.findings) {
-      if (finding.level == Level::green || finding.code == WarningCode::rating_plastic) continue;
+      if (!rejects_design(finding)) continue;
       drawn.runs = false;
       wider_helps = wider_helps && is_safety(finding.code);
+      if (!worst || is_before(finding, *worst)) worst = finding;
     }
     if (state.pair) drawn.at_ends.push_back(*state.pair);
     return drawn.runs || wider_helps;
   });
   if (drawn.runs || !wider_helps) drawn.at_ends.clear();
+  if (worst) drawn.finding = worst->code;
   return drawn;
+}
+
+Result<std::optional<Finding>> finding_of_drawing(const SearchProblem& problem,
+                                                  const DesignRow& row) {
+  auto made = arrange(drawing_of(problem, row), Scope::pair);
+  if (!made) return made.error();
+  Arranged arranged = std::move(made).take();
+  JudgedWith with;
+  std::optional<RatedDrawing> rated;
+  std::optional<Finding> worst;
+  if (!add_rating(problem, arranged, rated, with)) return worst;
+  for (Finding& finding : findings_within_tolerances(arranged, with))
+    if (rejects_design(finding) && (!worst || is_before(finding, *worst)))
+      worst = std::move(finding);
+  return worst;
 }
 
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
 #include "gearwright/design/design_objectives.hpp"
 
@@ -65,9 +66,15 @@ void add_numbers(Quantities<DesignView>& q) {
         [](const DesignView& v) { return v.row->trial.index; })
       .column("trial")
       .doors(kJson);
+  const auto by_pitch = [](const DesignView& v) { return v.problem->by_pitch; };
   q.term("module_mm", "", [](const DesignView& v) { return v.row->trial.module; })
       .column("module_mm")
-      .digits(3);
+      .digits(3)
+      .shown([](const DesignView& v) { return !v.problem->by_pitch; });
+  q.term("normal_diametral_pitch_per_in", "25.4 mm/m_n; only with `diametral_pitches_per_in`",
+         [](const DesignView& v) { return kMmPerInch / v.row->trial.module; })
+      .digits(3)
+      .when(by_pitch);
   q.term("teeth", "[z1, z2]; negative for an internal gear",
          [](const DesignView& v) {
            return std::array{v.row->trial.z1, v.row->trial.z2};

@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::array kLengths{Unit::mm_per_rad, Unit::mm, Unit::um, Unit::per_mm};
+constexpr std::array kConverted{Unit::mm_per_rad, Unit::mm, Unit::um, Unit::per_mm, Unit::kg};
 
 class FigureConverter {
  public:
@@ -85,7 +85,7 @@ class FigureConverter {
 }  // namespace
 
 TextUnit::TextUnit(UnitSystem units, std::string_view unit) : units_(units), rest_(unit) {
-  for (const Unit one : kLengths) {
+  for (const Unit one : kConverted) {
     const std::string_view text = unit_text(one);
     if (units == UnitSystem::mm || !unit.starts_with(text)) continue;
     std::string_view rest = unit.substr(text.size());

@@ -63,7 +63,9 @@ TEST(FigureUnits, UnitsThatAreSquaresOrHaveWords) {
   EXPECT_DOUBLE_EQ(unit("mm²")(25.4 * 25.4), 1.0);
   EXPECT_EQ(unit("mm, smaller values are better").text(), "in, smaller values are better");
   EXPECT_EQ(unit("mm/rad").text(), "in/rad");
-  for (const char* same : {"°", "N/mm²", "N/µm", "N/(mm µm)", "kg", "", "mmol"}) {
+  EXPECT_EQ(unit("kg").text(), "lb");
+  EXPECT_DOUBLE_EQ(unit("kg, smaller values are better")(0.45359237), 1.0);
+  for (const char* same : {"°", "N/mm²", "N/µm", "N/(mm µm)", "kg/mm", "", "mmol"}) {
     EXPECT_EQ(unit(same).text(), same);
     EXPECT_EQ(unit(same)(3.0), 3.0);
     EXPECT_EQ(unit(same).digits(2), 2);

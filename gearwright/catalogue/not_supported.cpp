@@ -45,6 +45,9 @@ constexpr std::string_view kOutputTorque =
     "divided by ratio and efficiency, T_in = T_out/(i η). The command `gearwright drive` computes "
     "i and η without a torque";
 
+constexpr std::string_view kHorsepower =
+    "is not a key; give the power by power_kW, which is 0.7457 times the power in hp";
+
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
      "is not allowed, because a spec of a pair has at most two gears, [gear1] and [gear2]; "
@@ -85,6 +88,9 @@ constexpr auto kRows = std::to_array<Row>({
     {"*.torque_output_Nm", "", kOutputTorque},
     {"*.output_torque_Nm", "", kOutputTorque},
     {"*.torque_out_Nm", "", kOutputTorque},
+    {"*.power_hp", "", kHorsepower},
+    {"*.hp", "", kHorsepower},
+    {"*.horsepower", "", kHorsepower},
     {"**.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

@@ -22,6 +22,12 @@ TEST(NotSupported, a_number_in_a_path_is_any_and_a_star_any_table) {
     EXPECT_TRUE(not_supported(path).empty()) << path;
 }
 
+TEST(NotSupported, a_power_in_hp_is_converted) {
+  for (const char* key : {"rating.power_hp", "drive.power_hp", "rating.horsepower"})
+    EXPECT_EQ(not_supported(key),
+              "is not a key; give the power by power_kW, which is 0.7457 times the power in hp");
+}
+
 TEST(NotSupported, a_value_may_be_refused_where_the_key_is_known) {
   EXPECT_FALSE(not_supported("gear1.teeth", "0").empty());
   EXPECT_FALSE(not_supported("compensate.aim", "\"percentile\"").empty());

@@ -295,10 +295,10 @@ void add_clearances(Quantities<Pair>& q) {
       .when(is<InvolutePair>)
       .expected(is<ParallelPair>);
   of_involutes
-      .number(
-          "tip_shortening_mm", "tip alteration", "k m_n",
-          "alteration that would keep the clearance of the racks [T2.21]; usually negative or 0",
-          &InvolutePair::tip_shortening)
+      .number("tip_shortening_mm", "tip alteration for full tip clearance", "k m_n",
+              "alteration with which the tips have the clearance of the racks [T2.21], usually "
+              "negative or 0; the tips have it only with `shorten_tips`",
+              &InvolutePair::tip_shortening)
       .when();
 }
 

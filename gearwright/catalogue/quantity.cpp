@@ -58,7 +58,9 @@ void get_from_part(Quantity& q, const FindPart& find) {
 int digits_of(const QuantityInfo& info) { return info.digits.value_or(unit_digits(info.unit)); }
 
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units) {
-  const bool in_both = unit_of(info.key) != Unit::none && !metric_unit(info.key);
+  // Users of an inch spec see masses in lb, although the keys of masses end in "_kg".
+  const bool in_both =
+      unit_of(info.key) != Unit::none && info.unit != Unit::kg && !metric_unit(info.key);
   return in_both ? UnitSystem::mm : units;
 }
 

@@ -91,6 +91,15 @@ TEST(Catalogue, WordsAreTerms) {
   }
 }
 
+// Tips have this alteration only with `shorten_tips`, so the words must not state that it is
+// applied.
+TEST(Catalogue, TheTipAlterationOfAPairIsThatForFullClearance) {
+  const QuantityInfo* info = pair_quantities().table().find("tip_shortening_mm");
+  ASSERT_NE(info, nullptr);
+  EXPECT_EQ(info->words, "tip alteration for full tip clearance");
+  EXPECT_NE(info->meaning.find("only with `shorten_tips`"), std::string::npos);
+}
+
 // Describes the difference between a value and its declaration. The text is empty if they agree.
 std::string fault(const QuantityInfo& s, const Value& v, std::size_t depth = 0);
 

@@ -226,6 +226,11 @@ const KeyTable& rating_keys() {
            "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
            "manufacture and lubrication"),
        face_load_factor(),
+       Key::flag(
+           "face_load_factor_assumed", {&RatingTable::input, &RatingInput::face_load_assumed},
+           "false",
+           "true if `face_load_factor` is the default of a search, in the specs that `--take` "
+           "writes; `rate` then names this source of K_Hβ"),
        Key::not_negative(
            "misalignment_um", "f_ma", {&RatingTable::input, &RatingInput::misalignment},
            "√(f_Hβ1² + f_Hβ2²)",

@@ -147,6 +147,7 @@ std::string set_modules(SearchProblem& problem, const std::vector<double>& modul
 
 std::string set_pitches(SearchProblem& problem, const std::vector<double>& pitches) {
   const std::string fault = set_modules(problem, pitches);
+  problem.by_pitch = true;
   for (double& p : problem.modules) p = kMmPerInch / p;
   std::reverse(problem.modules.begin(), problem.modules.end());
   return fault;

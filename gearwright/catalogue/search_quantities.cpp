@@ -109,6 +109,18 @@ void add_search(Quantities<SearchView>& q) {
                              s.answer.counts.rejected[static_cast<std::size_t>(limit)]);
           return map;
         });
+  q.add(Type::map, "rejected_by_finding", "rejected_by_finding", "",
+        "for each code of a finding, the number of trials that `verdict` rejects because of it; a "
+        "trial counts for its worst finding. Only for drawn designs",
+        [](const S& s) {
+          ValueMap map;
+          for (const WarningMeaning& finding : warning_meanings())
+            if (const auto n = s.answer.counts.findings[static_cast<std::size_t>(finding.code)];
+                n > 0)
+              map.emplace_back(finding.text, n);
+          return map;
+        })
+      .when([](const S& s) { return static_cast<bool>(s.problem->draw); });
   q.record<margin_quantities>(
        "margins", "limits that every design satisfies; clearances in modules", &S::problem)
       .always();
@@ -118,6 +130,15 @@ void add_search(Quantities<SearchView>& q) {
          "`[gear2.shaft]` can give the factor",
          [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
+  q.add(Type::map, "assumed_factors", "assumed_factors", "",
+        "factors of the rating that are 1, because `[rating]` does not give their inputs; only for "
+        "rated searches",
+        [](const S& s) {
+          ValueMap map;
+          for (const AssumedFactor& factor : s.assumed) map.emplace_back(factor.key, Value(1.0));
+          return map;
+        })
+      .when([](const S& s) { return !s.assumed.empty(); });
   q.number("helix_angle_deg", "default band of the helix angles", "β",
            "[least, greatest]; only with `overlap_ratio` and without `helix_angle_deg`",
            [](const S& s) {
@@ -147,6 +168,11 @@ void add_search(Quantities<SearchView>& q) {
          return s.safest ? Value(design_quantities().of({s.problem, &*s.safest})) : Value();
        })
       .when([](const S& s) { return s.safest.has_value(); });
+  q.text("safest_finding",
+         "finding of the verdict that rejects the design `safest`; only if its safety factors with "
+         "nominal teeth are sufficient",
+         [](const S& s) { return Value(s.safest_finding); })
+      .when([](const S& s) { return !s.safest_finding.empty(); });
   q.term("pareto",
          "positions of the Pareto-optimal designs in `designs`; only with several objectives",
          [](const S& s) { return s.answer.pareto; })

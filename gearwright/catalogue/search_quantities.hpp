@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/design/design_row.hpp"
@@ -21,6 +22,13 @@ struct DesignView {
 
 const Quantities<DesignView>& design_quantities();
 
+/// A factor of a rating that is 1, because the spec does not give the input on which it depends.
+struct AssumedFactor {
+  const char* key;     ///< "Z_L", as in the results of `rate`
+  const char* symbol;  ///< "Z_L"
+  const char* input;   ///< key of [rating], "lubricant_viscosity_40C_mm2_s"
+};
+
 /// A finished search. search_quantities() does not list its designs, because there may be many.
 /// Callers pass each design to design_quantities() instead.
 struct SearchView {
@@ -29,8 +37,11 @@ struct SearchView {
   std::vector<NearestChange> changes;       ///< changes that would make a design feasible; empty if
                                             ///< a design is feasible
   std::optional<DesignRow> safest;          ///< the safest rated design if nothing is feasible
+  std::string safest_finding;               ///< reason why the verdict rejects this design; empty
+                                            ///< if its safety factors are too small
   std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
                                             ///< spec gives no K_Hβ; otherwise none
+  std::vector<AssumedFactor> assumed;       ///< only if the search is rated
 };
 const Quantities<SearchView>& search_quantities();
 

@@ -42,7 +42,8 @@ constexpr std::array kUnitRows{UnitRow{Unit::none, "", "", 5},
                                UnitRow{Unit::inch, "in", "_in", 5},
                                UnitRow{Unit::microinch, "µin", "_uin", 2},
                                UnitRow{Unit::per_inch, "1/in", "_per_in", 5},
-                               UnitRow{Unit::inch_per_rad, "in/rad", "_in_per_rad", 5}};
+                               UnitRow{Unit::inch_per_rad, "in/rad", "_in_per_rad", 5},
+                               UnitRow{Unit::pound, "lb", "_lb", 6}};
 
 const UnitRow& row(Unit unit) {
   const UnitRow& r = kUnitRows[static_cast<std::size_t>(unit)];
@@ -97,6 +98,7 @@ constexpr std::array kTerms{
     Term{"normal", "normal"},
     Term{"normal_base_mm", "normal backlash, shortest distance of the flanks", "j_bn"},
     Term{"normal_base_pitch_mm", "normal base pitch", "p_bn"},
+    Term{"normal_diametral_pitch_per_in", "normal diametral pitch", "P_nd"},
     Term{"normal_mm", "backlash in the normal section", "j_n"},
     Term{"normal_module_mm", "normal module", "m_n"},
     Term{"normal_pressure_angle_deg", "normal pressure angle", "α_n"},

@@ -37,7 +37,8 @@ enum class Unit {
   inch,             ///< this unit and the units below occur only in results of specs in inch
   microinch,
   per_inch,
-  inch_per_rad
+  inch_per_rad,
+  pound
 };
 
 enum class Type {

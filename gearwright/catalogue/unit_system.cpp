@@ -97,10 +97,14 @@ struct UnitPair {
   const KeyUnit* ratio;
 };
 
+// The unit of masses that users see. Keys of masses end in "_kg" in both systems.
+constexpr KeyUnit kMass{"_kg", "_lb", 0.45359237L, false};
+
 constexpr std::array kUnitPairs{UnitPair{Unit::mm_per_rad, Unit::inch_per_rad, &kKeyUnits[0]},
                                 UnitPair{Unit::per_mm, Unit::per_inch, &kKeyUnits[2]},
                                 UnitPair{Unit::mm, Unit::inch, &kKeyUnits[4]},
-                                UnitPair{Unit::um, Unit::microinch, &kKeyUnits[5]}};
+                                UnitPair{Unit::um, Unit::microinch, &kKeyUnits[5]},
+                                UnitPair{Unit::kg, Unit::pound, &kMass}};
 
 const UnitPair* pair_of(UnitSystem units, Unit unit) {
   if (units == UnitSystem::mm) return nullptr;
@@ -125,7 +129,7 @@ double value_in(UnitSystem units, Unit unit, double value) {
 
 int digits_in(UnitSystem units, Unit unit, int digits) {
   const UnitPair* pair = pair_of(units, unit);
-  if (!pair) return digits;
+  if (!pair || unit == Unit::kg) return digits;
   // True if the inch unit is larger than the metric unit, as 1 in is larger than 1 mm.
   const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;
   return std::max(0, digits + (larger ? 1 : -1));

@@ -25,8 +25,8 @@ Unit unit_in(UnitSystem units, Unit unit);
 /// digits that equals the exact value within rounding.
 double value_in(UnitSystem units, Unit unit, double value);
 /// Returns the number of decimals shown to users, for a value with `digits` decimals in `unit`. It
-/// is `digits` + 1 in inch. In µin or 1/in it is `digits` − 1, but never less than 0. If `digits`
-/// is not 0, the resolution changes by a factor of less than 4.
+/// is `digits` + 1 in inch, and `digits` in lb. In µin or 1/in it is `digits` − 1, but never less
+/// than 0. If `digits` is not 0, the resolution changes by a factor of less than 4.
 int digits_in(UnitSystem units, Unit unit, int digits);
 
 /// Returns the text of a value in the unit that replaces `unit`, with the number of decimals of

@@ -89,6 +89,10 @@ TEST(UnitSystem, UnitsOfQuantities) {
   EXPECT_EQ(digits_in(UnitSystem::inch, Unit::um, 3), 2);
   EXPECT_EQ(digits_in(UnitSystem::inch, Unit::per_mm, 6), 5);
   EXPECT_EQ(value_in(UnitSystem::inch, Unit::um, 25.4), 1000.0);
+  EXPECT_EQ(unit_text(UnitSystem::inch, Unit::kg), "lb");
+  EXPECT_EQ(value_in(UnitSystem::inch, Unit::kg, 0.45359237), 1.0);
+  EXPECT_EQ(unit_text(UnitSystem::mm, Unit::kg), "kg");
+  EXPECT_EQ(metric_unit("mass_kg"), nullptr);  // numbers in JSON and their keys are the same
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ struct DesignRow {
   /// factor for the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
   bool runs = true;  ///< false if the verdict on the drawing has a finding worse than green
+  std::optional<WarningCode> finding{};  ///< code of this finding: DrawnDesign::finding
   std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest value within
                                                          ///< the tolerances of the drawing
   /// True if the members below, which describe the region, have been computed.

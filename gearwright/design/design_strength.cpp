@@ -247,6 +247,7 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
   while (problem.draw && !short_of(problem, row)) {
     DrawnDesign drawn = problem.draw(problem, row);
     row.runs = drawn.runs;
+    row.finding = drawn.finding;
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
     if (drawn.runs || drawn.at_ends.empty() || !wider) break;
@@ -257,6 +258,7 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
     set_face_width(graph, row, *wider);
     size_face(graph, states, row);
     row.runs = true;
+    row.finding.reset();
   }
   return row;
 }

@@ -249,6 +249,34 @@ TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
   EXPECT_GT(wider, 5u);
 }
 
+// Every trial that the verdict rejects is also counted for its finding.
+TEST(DesignStrength, RejectedDrawingsAreCountedByFinding) {
+  SearchProblem p = wish();
+  std::int64_t thin = 0, jams = 0;
+  p.draw = [&](const SearchProblem&, const DesignRow& row) {
+    DrawnDesign drawn;
+    drawn.runs = row.trial.z1 % 3 == 0;
+    if (drawn.runs) return drawn;
+    const bool jam = row.trial.z1 % 3 == 1;
+    ++(jam ? jams : thin);
+    drawn.finding = jam ? WarningCode::jam : WarningCode::thin_tip;
+    return drawn;
+  };
+  const Search search(p);
+  std::vector<DesignRow> rows;
+  const SearchCounts counts =
+      search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point});
+  ASSERT_GT(jams, 0);
+  ASSERT_GT(thin, 0);
+  EXPECT_EQ(counts.rejected[static_cast<std::size_t>(Limit::verdict)], jams + thin);
+  EXPECT_EQ(counts.findings[static_cast<std::size_t>(WarningCode::jam)], jams);
+  EXPECT_EQ(counts.findings[static_cast<std::size_t>(WarningCode::thin_tip)], thin);
+  SearchCounts twice = counts;
+  twice += counts;
+  EXPECT_EQ(twice.findings[static_cast<std::size_t>(WarningCode::jam)], 2 * jams);
+  for (const DesignRow& row : rows) EXPECT_FALSE(row.finding);
+}
+
 TEST(DesignStrength, MassOfFullCylinders) {
   SearchProblem p = wish();
   p.pinion_teeth = {20, 20};

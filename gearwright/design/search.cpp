@@ -16,6 +16,7 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   tested += other.tested;
   feasible += other.feasible;
   for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += other.rejected[i];
+  for (std::size_t i = 0; i < findings.size(); ++i) findings[i] += other.findings[i];
   points_tested += other.points_tested;
   points_feasible += other.points_feasible;
   return *this;
@@ -170,6 +171,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          const auto keep = [&](const DesignRow& row) {
            if (const auto limit = short_of(problem_, row)) {
              ++result.rejected[static_cast<std::size_t>(*limit)];
+             if (*limit == Limit::verdict && row.finding)
+               ++result.findings[static_cast<std::size_t>(*row.finding)];
              return false;
            }
            ++result.feasible;

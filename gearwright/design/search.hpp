@@ -29,6 +29,9 @@ struct SearchCounts {
   std::int64_t feasible = 0;
   std::array<std::int64_t, kLimits> rejected{};  ///< number of trials that each limit rejects; a
                                                  ///< trial counts only for the first such limit
+  /// For each WarningCode, the number of trials that the limit `verdict` rejects because of this
+  /// finding. A trial counts only for its worst finding.
+  std::array<std::int64_t, kWarningCodes> findings{};
   std::int64_t points_tested = 0, points_feasible = 0;  ///< points of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);

@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/gear/warning.hpp"
 #include "gearwright/pair/shift.hpp"
 #include "gearwright/rating/rating.hpp"
 #include "gearwright/tool/straight_rack.hpp"
@@ -132,7 +133,9 @@ struct SearchProblem;
 
 /// The verdict on the drawing of a design.
 struct DrawnDesign {
-  bool runs = false;                                ///< true if no finding is worse than green
+  bool runs = false;                     ///< true if no finding is worse than green
+  std::optional<WarningCode> finding{};  ///< code of the worst finding; none if the design runs, or
+                                         ///< if it cannot be drawn
   std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both limits of the tolerances
   /// The pair at every combination of the limits of the tolerances. The list is filled only if
   /// insufficient safety factors are the only reason why the design does not run, because a wider
@@ -167,8 +170,9 @@ struct SearchProblem {
   std::optional<std::array<double, 2>> center_distance;  ///< least and greatest a  mm; both ends
                                                          ///< are included and may be equal
   std::vector<double> modules;                           ///< m_n  mm
-  std::array<int, 2> pinion_teeth{12, 40};               ///< z1, both ends included
-  std::vector<Angle> helix{Angle()};                     ///< β of gear 1
+  bool by_pitch = false;  ///< true if the caller gives diametral pitches instead of modules
+  std::array<int, 2> pinion_teeth{12, 40};  ///< z1, both ends included
+  std::vector<Angle> helix{Angle()};        ///< β of gear 1
   /// The combinations to try. If empty, every module is tried with every helix angle. Otherwise,
   /// `helix` contains the helix angles of these combinations.
   std::vector<HelixChoice> choices;

@@ -112,6 +112,13 @@ Trial SearchSpace::trial_of(const Cursor& c) const {
 
 Trial SearchSpace::trial(std::int64_t index) const { return trial_of(at(index)); }
 
+bool SearchSpace::is_in_band(const Trial& trial) const {
+  const auto& band = problem_->face_diameters;
+  GW_EXPECTS(band && trial.face_width);
+  const double d_1 = trial.module * trial.z1 / std::cos(trial.helix[0].rad());
+  return (*band)[0] * d_1 <= *trial.face_width && *trial.face_width <= (*band)[1] * d_1;
+}
+
 bool SearchSpace::coprime(int a, int b) { return std::gcd(a, b) == 1; }
 
 }  // namespace gearwright

@@ -32,12 +32,16 @@ class SearchSpace {
   Trial trial(std::int64_t index) const;
 
   /// Calls f(trial) for the trials in [from, to). The calls end when f returns false. If the
-  /// numbers of teeth must be coprime, trials with a common factor are omitted.
+  /// numbers of teeth must be coprime, trials with a common factor are omitted. If a helix angle
+  /// was chosen for a face width, trials with this width outside of the band of b/d_1 are omitted.
   template <class F>
   void each(std::int64_t from, std::int64_t to, const F& f) const {
     if (from >= to) return;
     for (Cursor c = at(from); c.index < to; next(c)) {
-      if ((!problem_->coprime || coprime(c.z1, c.z2)) && !f(trial_of(c))) return;
+      if (problem_->coprime && !coprime(c.z1, c.z2)) continue;
+      const Trial trial = trial_of(c);
+      if (trial.face_width && problem_->face_diameters && !is_in_band(trial)) continue;
+      if (!f(trial)) return;
     }
   }
 
@@ -57,6 +61,10 @@ class SearchSpace {
   double choices() const;  ///< number of combinations of module and helix angle
   HelixChoice choice(std::size_t number) const;
   static bool coprime(int a, int b);
+  /// True if the width for which the helix angle was chosen is in the band of b/d_1.
+  ///
+  /// Domain    the width and the band exist (contract)
+  bool is_in_band(const Trial& trial) const;
 
   const SearchProblem* problem_;
   std::size_t choices_ = 0;  ///< choices(), if the trials can be counted

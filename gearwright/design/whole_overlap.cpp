@@ -5,7 +5,6 @@
 #include <numbers>
 #include <tuple>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/design/face_width.hpp"
 
 namespace gearwright {
@@ -14,12 +13,14 @@ namespace {
 
 constexpr double kStepsPerDegree = 100.0;
 
-std::vector<double> widths_of(const SearchProblem& problem, double module) {
-  Trial trial;
-  trial.module = module;
+std::vector<double> widths_of(const SearchProblem& problem, double module,
+                              const std::array<double, 2>& band_deg) {
+  SearchProblem of_module;
+  of_module.face_width = overlap_face_widths(problem, module, band_deg);
+  of_module.face_step = problem.face_step;
   std::vector<double> widths;
-  std::optional<double> next = next_face_width(problem, trial, 0.0, 0.0);
-  for (; next; next = next_face_width(problem, trial, *next, 0.0)) widths.push_back(*next);
+  std::optional<double> next = next_face_width(of_module, {}, 0.0, 0.0);
+  for (; next; next = next_face_width(of_module, {}, *next, 0.0)) widths.push_back(*next);
   return widths;
 }
 
@@ -32,13 +33,23 @@ std::optional<double> overlap_helix_deg(double overlap_ratio, double module, dou
   return std::ceil(exact_deg * kStepsPerDegree) / kStepsPerDegree;
 }
 
+std::array<double, 2> overlap_face_widths(const SearchProblem& problem, double module,
+                                          const std::array<double, 2>& band_deg) {
+  Trial trial;
+  trial.module = module;
+  trial.z1 = problem.pinion_teeth[0];
+  const double least = face_widths(problem, trial)[0];
+  trial.z1 = problem.pinion_teeth[1];
+  trial.helix[0] = Angle::degrees(std::max(std::abs(band_deg[0]), std::abs(band_deg[1])));
+  return {least, face_widths(problem, trial)[1]};
+}
+
 std::vector<HelixChoice> whole_overlap_choices(const SearchProblem& problem,
                                                const std::vector<double>& overlap_ratios,
                                                const std::array<double, 2>& band_deg) {
-  GW_EXPECTS(!problem.face_diameters);
   std::vector<HelixChoice> choices;
   for (const double module : problem.modules) {
-    for (const double width : widths_of(problem, module)) {
+    for (const double width : widths_of(problem, module, band_deg)) {
       for (const double ratio : overlap_ratios) {
         const auto beta = overlap_helix_deg(ratio, module, width);
         if (!beta || *beta < kLeastOverlapHelix_deg) continue;

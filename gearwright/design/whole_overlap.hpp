@@ -32,11 +32,15 @@ inline constexpr std::array kUsualOverlapHelix_deg{5.0, 30.0};
 /// Domain    all numbers > 0
 std::optional<double> overlap_helix_deg(double overlap_ratio, double module, double face_width);
 
+/// Returns the least and the greatest face width to be tried for a module. A band of b/d_1 gives
+/// the widths for all numbers of teeth of the pinion and all helix angles of the band.
+std::array<double, 2> overlap_face_widths(const SearchProblem& problem, double module,
+                                          const std::array<double, 2>& band_deg);
+
 /// Returns the choices for every module of the problem, every face width of its bands, and every
 /// overlap ratio. The helix angles are of either hand and within the band. The choices are sorted
-/// by helix angle, module and face width.
-///
-/// Domain    the problem has no band of b/d_1 (contract)
+/// by helix angle, module and face width. For a band of b/d_1, some choices suit only some numbers
+/// of teeth; SearchSpace omits the other trials.
 std::vector<HelixChoice> whole_overlap_choices(const SearchProblem& problem,
                                                const std::vector<double>& overlap_ratios,
                                                const std::array<double, 2>& band_deg);

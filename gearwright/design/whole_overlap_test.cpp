@@ -1,6 +1,6 @@
 // Helix angles for whole overlap ratios. Oracles: (1) the list of all multiples of 0.01°; (2) one
 // search for every module, helix angle and face width. Law (3): the parts of a divided search are
-// the parts of the whole search.
+// the parts of the whole search. Law (4): see below.
 #include "gearwright/design/whole_overlap.hpp"
 
 #include <gtest/gtest.h>
@@ -140,6 +140,31 @@ TEST(WholeOverlap, PartsOfTheSearchAreTheSearch) {  // (3)
       EXPECT_EQ(parts.rows[i].shift, all.rows[i].shift);
     }
   }
+}
+
+// Law (4): for a band of b/d_1, the trials are the choices whose widths are in the band of their
+// pinion.
+TEST(WholeOverlap, WidthsInABandOfDiameters) {  // (4)
+  SearchProblem p = sized_problem();
+  p.face_width.reset();
+  p.face_modules.reset();
+  p.face_diameters = {{0.2, 1.0}};
+  p.choices = whole_overlap_choices(p, {1.0}, {8.0, 25.0});
+  const auto fits = [](const HelixChoice& c, int z1) {
+    const double share = *c.face_width / (c.module * z1 / std::cos(c.helix.rad()));
+    return 0.2 <= share && share <= 1.0;
+  };
+  std::int64_t expected = 0, omitted = 0;
+  for (const HelixChoice& c : p.choices)
+    for (int z1 = 16; z1 <= 22; ++z1)
+      for (int z2 = z1; z2 <= 60; ++z2)
+        if (1.8 * z1 - 1e-9 <= z2 && z2 <= 2.4 * z1 + 1e-9) ++(fits(c, z1) ? expected : omitted);
+  const Found found = whole(Search(p));
+  EXPECT_EQ(found.counts.tested, expected);
+  EXPECT_GT(found.counts.feasible, 100);
+  EXPECT_GT(omitted, 0);
+  for (const DesignRow& row : found.rows)
+    EXPECT_TRUE(fits({row.trial.module, row.trial.helix[0], row.face_width}, row.trial.z1));
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "gearwright/job/search_answer.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/units.hpp"
@@ -14,24 +12,13 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/loaded_designs.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/search_reasons.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr std::string_view kRatingUnused =
-    "[rating] has no effect on this search. Give safety_flank_min and safety_root_min in [search] "
-    "to rate its designs.";
-
-constexpr std::string_view kPairNotRead =
-    "The table [pair] has no effect on a search, which uses center_distance_mm and mounting of "
-    "[search].";
-
-constexpr std::string_view kTeethNotRead =
-    "The numbers of teeth, the modules and the profile shifts of [gear1] and [gear2] have no "
-    "effect on a search, which uses pinion_teeth, ratio, modules_mm and profile_shift of [search].";
 
 // If there are more designs than this, the boundaries of their regions are omitted. Each curve of a
 // boundary has 25 points.
@@ -64,81 +51,6 @@ Json rack_of(const Json& tree, int rack, int which) {
   return of_gear(tree, which, "rack");
 }
 
-// Returns, for example, "The safest rejected design (module 2, 20:60) has S_H = 0.930 and S_F =
-// 1.210".
-std::string safest_line(const DesignRow& row) {
-  return fmt::format(
-      "The safest rejected design (module {2:g}, {3}:{4}) has S_H = {0:.3f} and S_F = {1:.3f}",
-      std::min(*row.flank_safety[0], *row.flank_safety[1]),
-      std::min(*row.root_safety[0], *row.root_safety[1]), row.trial.module, row.trial.z1,
-      row.trial.z2);
-}
-
-// Returns, for example, "K_Hβ = 1.4 is a default. …". The text is empty if the spec determines
-// K_Hβ.
-std::string face_load_line(const SearchRun& run) {
-  if (!run.default_face_load) return {};
-  return fmt::format(
-      "K_Hβ = {:g} is a default. Give face_load_factor or [rating.mounting] in [rating]; for a "
-      "pair written by --take, K_Hβ can also be computed from [gear1.shaft] and [gear2.shaft].",
-      *run.default_face_load);
-}
-
-// Returns, for example, "β from 5° to 30° is a default. …". The text is empty if the spec
-// determines the helix angles.
-std::string default_helix_line(const SearchProblem& problem) {
-  if (!problem.default_helix_deg) return {};
-  const auto& [least, greatest] = *problem.default_helix_deg;
-  return fmt::format(
-      "β from {:g}° to {:g}° is a default. Give helix_angle_deg = [least, greatest] in [search] "
-      "for another band.",
-      least, greatest);
-}
-
-std::string no_change_helps(const SearchRun& run, UnitSystem units) {
-  std::vector<std::string> keys;
-  for (const std::string& field : run.changes_tried) {
-    std::string key = spelled_change({field, "", "", 0.0}, units).key;
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
-  }
-  return fmt::format(
-      "Changing only one of these keys does not help: {}. Centre distances were changed by a "
-      "factor of at most 2, and ratios by at most half of their value. Other keys, such as the "
-      "modules or the helix angles, were not changed.",
-      fmt::join(keys, ", "));
-}
-
-// Returns sentences for the terminal and the page. They describe the rating, the default values,
-// unused tables and the results under load. If no design is feasible, they also describe changes
-// that make designs feasible.
-std::vector<SearchReason> reasons_of(const SearchProblem& problem, const SearchRun& run,
-                                     UnitSystem units) {
-  std::vector<SearchReason> lines;
-  if (problem.rating)
-    lines.push_back({sentence_in(units, "Designs are " + rating_line(problem) + ".")});
-  if (run.default_face_load) lines.push_back({face_load_line(run)});
-  if (problem.default_helix_deg) lines.push_back({default_helix_line(problem)});
-  if (problem.rating_unused) lines.push_back({std::string(kRatingUnused)});
-  if (run.pair_not_read) lines.push_back({std::string(kPairNotRead)});
-  if (run.teeth_not_read) lines.push_back({std::string(kTeethNotRead)});
-  if (problem.draw)
-    lines.push_back({sentence_in(units, "Designs are " + drawing_line(problem) + ".")});
-  if (!run.answer.loaded.empty()) lines.push_back({loaded_line(problem, run.answer)});
-  for (const std::string& line : load_failures(run.answer)) lines.push_back({line});
-  if (run.answer.counts.feasible > 0) return lines;
-  if (run.safest) lines.push_back({safest_line(*run.safest) + "."});
-  if (!run.changes.empty())
-    lines.push_back(
-        {"No design is feasible. Each of these changes alone would make designs feasible:"});
-  for (const std::string& line : change_lines(run, units)) lines.push_back({"  " + line, true});
-  if (!run.changes_left_out.empty()) {
-    lines.push_back({capitalised(run.changes_left_out) + "."});
-  } else if (run.changes.empty()) {
-    lines.push_back({no_change_helps(run, units)});
-  }
-  return lines;
-}
-
 // Returns the face width in words, for example "10 mm to 120 mm (the least sufficient width)".
 std::string face_words(const SearchProblem& p) {
   std::string words;
@@ -160,11 +72,6 @@ std::string face_words(const SearchProblem& p) {
 // Tables of the spec that apply to a pair. A search copies these tables to the specs of its designs,
 // and uses them only for the transmission error under load (job/loaded_designs.hpp).
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
-
-// Removes the rounding error of a pitch that was computed from a module: 25.4/(25.4/3) becomes 3.
-double without_rounding(double pitch) {
-  return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
-}
 
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
@@ -314,9 +221,8 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
   std::string text =
       fmt::format("{} candidates (module, z1, z2{}) were tested, and {} are feasible\n",
                   a.counts.tested, p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
-  for (std::size_t i = 0; i < a.counts.rejected.size(); ++i)
-    if (a.counts.rejected[i] > 0)
-      text += fmt::format("  {}: {}\n", words_of(static_cast<Limit>(i)), a.counts.rejected[i]);
+  for (const auto& [words, trials, of_verdict] : rejected_by(a.counts))
+    text += fmt::format("  {}{}: {}\n", of_verdict ? "  " : "", words, trials);
   text += wrapped(margin_line(p.limits));
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
@@ -337,6 +243,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
   std::vector<ListingColumn> columns{ranks, places};
   for (ListingColumn& column : listing_columns(units, records,
                                                {"module_mm",
+                                                "normal_diametral_pitch_per_in",
                                                 "teeth",
                                                 "helix_angle_deg",
                                                 "ratio",
@@ -384,14 +291,14 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   const SearchProblem& p = search.problem();
   const Json& tree = spec.tree->tables;
   Json j;
-  j["title"] = fmt::format("{}{}:{}, module {}", spec.title.empty() ? "" : spec.title + ", ",
-                           row.trial.z1, row.trial.z2, row.trial.module);
+  j["title"] = fmt::format("{}{}:{}, {}", spec.title.empty() ? "" : spec.title + ", ", row.trial.z1,
+                           row.trial.z2, size_words(p, row.trial.module));
   const std::array<int, 2> teeth{row.trial.z1, row.trial.z2};
   for (int i = 0; i < 2; ++i) {
     Json g;
     g["teeth"] = teeth[i];
-    if (tree["search"].contains("diametral_pitches_per_in"))
-      g["normal_diametral_pitch_per_in"] = without_rounding(kMmPerInch / row.trial.module);
+    if (p.by_pitch)
+      g["normal_diametral_pitch_per_in"] = pitch_without_rounding(kMmPerInch / row.trial.module);
     else
       g["normal_module_mm"] = row.trial.module;
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);

@@ -14,17 +14,23 @@ namespace gearwright {
 namespace {
 
 // Returns the counts of a chunk. `rejected` contains the number of trials that each limit rejected,
-// followed by the numbers of tested and of feasible grid points. count_names() has the same order.
+// followed by the numbers of tested and of feasible grid points, and by the number of trials for
+// each finding of the verdict. count_names() has the same order.
 ChunkCounts as_chunk(const SearchCounts& c) {
   ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
   chunk.rejected.push_back(c.points_tested);
   chunk.rejected.push_back(c.points_feasible);
+  chunk.rejected.insert(chunk.rejected.end(), c.findings.begin(), c.findings.end());
   return chunk;
 }
 
 SearchCounts as_search(const ChunkCounts& c) {
-  SearchCounts counts{c.tested, c.feasible, {}, c.rejected[kLimits], c.rejected[kLimits + 1]};
+  SearchCounts counts{.tested = c.tested,
+                      .feasible = c.feasible,
+                      .points_tested = c.rejected[kLimits],
+                      .points_feasible = c.rejected[kLimits + 1]};
   std::copy_n(c.rejected.begin(), kLimits, counts.rejected.begin());
+  std::copy_n(c.rejected.begin() + kLimits + 2, kWarningCodes, counts.findings.begin());
   return counts;
 }
 
@@ -32,6 +38,8 @@ std::vector<std::string> count_names() {
   std::vector<std::string> names;
   for (int i = 0; i < kLimits; ++i) names.emplace_back(name(static_cast<Limit>(i)));
   names.insert(names.end(), {"points_tested", "points_feasible"});
+  for (const WarningMeaning& finding : warning_meanings())
+    names.push_back(fmt::format("verdict_{}", finding.text));
   return names;
 }
 

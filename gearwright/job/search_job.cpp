@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -90,6 +91,30 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 
 }  // namespace
 
+namespace {
+
+// Returns the factors of a rating that are 1, because [rating] does not give their inputs. A rating
+// by VDI 2736 has no factors of the oil and of the roughness.
+std::vector<AssumedFactor> assumed_factors(const JobSpec& spec) {
+  constexpr std::array kFactors{AssumedFactor{"K_A", "K_A", "application_factor"},
+                                AssumedFactor{"K_gamma", "K_γ", "mesh_load_factor"},
+                                AssumedFactor{"Z_NT", "Z_NT", "life_h"},
+                                AssumedFactor{"Z_L", "Z_L", "lubricant_viscosity_40C_mm2_s"},
+                                AssumedFactor{"Z_v", "Z_v", "speed_rpm"},
+                                AssumedFactor{"Z_R", "Z_R", "flank_roughness_um"},
+                                AssumedFactor{"Y_NT", "Y_NT", "life_h"},
+                                AssumedFactor{"Y_R_relT", "Y_RrelT", "root_roughness_um"}};
+  const bool plastic = spec.rating.input.edition == RatingEdition::vdi_2736;
+  std::vector<AssumedFactor> assumed;
+  constexpr std::size_t kOfPlastics = 2;  // the first two factors also apply to VDI 2736
+  for (std::size_t i = 0; i < (plastic ? kOfPlastics : kFactors.size()); ++i)
+    if (!spec.given.contains(fmt::format("rating.{}", kFactors[i].input)))
+      assumed.push_back(kFactors[i]);
+  return assumed;
+}
+
+}  // namespace
+
 SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;
   run.problem = &search.problem();
@@ -100,6 +125,7 @@ SearchRun begun(const JobSpec& spec, const Search& search) {
   run.rating_not_read = spec.rating.given && !search.problem().rating;
   if (search.problem().rating && has_default_face_load(spec))
     run.default_face_load = spec.rating.input.face_load_factor;
+  if (search.problem().rating) run.assumed = assumed_factors(spec);
   return run;
 }
 

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/arrange/judge.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/design/design_strength.hpp"
 
 namespace gearwright {
 
@@ -73,12 +75,33 @@ std::int64_t SearchWorkers::trials_of(std::int64_t c) const {
 
 namespace {
 
-// Returns the keys of these members in backticks: `a`, `b`.
+// Returns the keys of these members in backticks: `a`, `b`. Several members may have the same key,
+// such as both limits of the profile shifts.
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
-  for (const std::string& field : fields)
-    text += (text.empty() ? "`" : ", `") + spelled_member("search", field).key + "`";
+  std::vector<std::string> keys;
+  for (const std::string& field : fields) {
+    std::string key = spelled_member("search", field).key;
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    text += (text.empty() ? "`" : ", `") + key + "`";
+    keys.push_back(std::move(key));
+  }
   return text;
+}
+
+// Returns the reason that rejects the drawing of a design, in words. If the message of a finding
+// does not name its gear, the name of the gear precedes the message.
+std::string finding_words(const SearchProblem& problem, const DesignRow& row) {
+  const auto found = finding_of_drawing(problem, row);
+  if (!found) {
+    const Error error = spelled(found.error());
+    return fmt::format("The pair cannot be drawn. {}: {}.", error.field, error.rule);
+  }
+  const std::optional<Finding>& finding = *found;
+  if (!finding) return "The drawn pair cannot be rated.";
+  const bool unnamed =
+      finding->gear > 0 && finding->at.empty() && meaning_of(finding->code).gear_unnamed;
+  return (unnamed ? fmt::format("Gear {}: ", finding->gear) : std::string()) + finding->whole();
 }
 
 }  // namespace
@@ -108,7 +131,11 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   run.stopped = found.stopped;
   run.changes = std::move(found.changes);
   run.changes_tried = std::move(found.tried);
-  if (found.safest) run.safest = search.whole(*found.safest);
+  if (found.safest) {
+    run.safest = search.whole(*found.safest);
+    if (short_of(search.problem(), *run.safest) == Limit::verdict)
+      run.safest_finding = finding_words(search.problem(), *run.safest);
+  }
   if (!found.bounded.empty()) {
     run.changes_left_out = fmt::format(
         "the search for the smallest change of {} ended after {} trials for each key, so a smaller "

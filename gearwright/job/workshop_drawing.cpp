@@ -100,18 +100,19 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const SheetNumb
                                 SheetSize size, double tolerance_mm) {
   const auto body = make_body(job, which);
   if (!body) return body.error();
-  const bool inch = job.spec.units() == UnitSystem::inch;
-  const double unit_mass = inch ? 0.45359237 : 1.0;  // mass of one pound or one kilogram, kg
+  const UnitSystem units = job.spec.units();
   const auto mass = mass_of(job, which, *body);
-  GearSheetInput input{*body,
-                       job.gear(which).reference_diameter,
-                       gear_drawing_data(job, which, numbers.mate),
-                       title_words(job),
-                       job.spec.gear(which).tolerance.tip_fit.value_or(""),
-                       surfaces(job, which),
-                       mass ? fmt::format("{:.3g} {}", *mass / unit_mass, inch ? "lb" : "kg") : "",
-                       numbers.own,
-                       job.spec.units()};
+  GearSheetInput input{
+      *body,
+      job.gear(which).reference_diameter,
+      gear_drawing_data(job, which, numbers.mate),
+      title_words(job),
+      job.spec.gear(which).tolerance.tip_fit.value_or(""),
+      surfaces(job, which),
+      mass ? fmt::format("{:.3g} {}", value_in(units, Unit::kg, *mass), unit_text(units, Unit::kg))
+           : "",
+      numbers.own,
+      job.spec.units()};
   if (job.parts() > 1) input.words.title += fmt::format(", gear {}", which);
   add_material(input.words, job.spec.gear(which).material);
   auto made = gear_sheet(input, size, tolerance_mm);

@@ -112,7 +112,9 @@ TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, doub
     if (k > most)
       return Factor{std::max(1.0, most), "ISO 6336-1, 8.3",
                     "one tooth pair carries the whole load"};
-    return Factor{k, "ISO 6336-1, 8.3", low ? "ε_γ ≤ 2" : "ε_γ > 2"};
+    return Factor{k, "ISO 6336-1, 8.3",
+                  low ? "ε_γ ≤ 2, with the greater of f_pb and f_fα"
+                      : "ε_γ > 2, with the greater of f_pb and f_fα"};
   };
   return {limited(e / (pair.epsilon_alpha * Z_epsilon * Z_epsilon)),
           limited(e / (0.25 * pair.epsilon_alpha + 0.75))};

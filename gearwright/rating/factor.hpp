@@ -36,6 +36,7 @@ inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 using FactorPair = std::array<Factor, 2>;
 
 inline constexpr const char* kGivenFactor = "given by the user";
+inline constexpr const char* kSearchDefault = "default of a search, not given by the user";
 inline constexpr const char* kNotAsked = "not given, so 1 is used";
 
 }  // namespace gearwright

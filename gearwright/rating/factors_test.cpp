@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
@@ -105,6 +106,18 @@ TEST(TransverseLoad, BranchesMeetAtTwo) {
     return transverse_load(pair, 20, 30, 500, 0.8).K_Halpha.value;
   };
   EXPECT_NEAR(at(2 - kStep), at(2 + kStep), 1e-8);
+}
+
+// The branch names the deviations, because reports that use f_pb alone have a smaller factor.
+TEST(TransverseLoad, TheBranchNamesItsDeviations) {
+  RatedPair pair = testing::helical_24_95();
+  for (const double e : {1.9, 2.1}) {
+    pair.epsilon_beta = e - pair.epsilon_alpha;
+    const auto t = transverse_load(pair, 20, 30, 500, 0.8);
+    EXPECT_EQ(t.K_Halpha.branch,
+              std::string(e < 2 ? "ε_γ ≤ 2" : "ε_γ > 2") + ", with the greater of f_pb and f_fα");
+    EXPECT_EQ(std::string(t.K_Falpha.branch), t.K_Halpha.branch);
+  }
 }
 
 TEST(TransverseLoad, StaysBetweenOneAndAllOnOnePair) {

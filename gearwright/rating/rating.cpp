@@ -121,7 +121,8 @@ void Rater::distribution() {
     r.face.K_Hbeta = in.face_load_computed
                          ? Factor{*in.face_load_factor, "ISO 6336-1, clause 7, method B",
                                   "load along the teeth, at the worse limit of f_ma"}
-                         : given(*in.face_load_factor);
+                         : Factor{*in.face_load_factor, "",
+                                  in.face_load_assumed ? kSearchDefault : kGivenFactor};
   } else {
     const double c = r.stiffness.c_gamma_beta.value;
     const std::array<double, 2> f_Hbeta{tolerance[0].f_Hbeta, tolerance[1].f_Hbeta};

@@ -44,6 +44,7 @@ struct RatingInput {
   /// True if K_Hβ is computed from the load along the teeth. `face_load_factor` then applies only
   /// to the torque and the face width of this input.
   bool face_load_computed = false;
+  bool face_load_assumed = false;  ///< true if `face_load_factor` is the default of a search
   std::optional<double> face_load_factor_root;        ///< K_Fβ
   std::optional<double> transverse_load_factor;       ///< K_Hα
   std::optional<double> transverse_load_factor_root;  ///< K_Fα

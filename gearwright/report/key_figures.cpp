@@ -75,8 +75,10 @@ std::string key_figures(const ReportInput& input) {
                       kOfRack, units);
   if (input.masses.size() == input.gears.size()) {
     std::vector<std::string> texts;
-    for (const double mass : input.masses) texts.push_back(fmt::format("{:.3g}", mass));
-    text += box("Mass", "m", fmt::format("{} kg", fmt::join(texts, " / ")));
+    for (const double mass : input.masses)
+      texts.push_back(fmt::format("{:.3g}", value_in(units, Unit::kg, mass)));
+    text +=
+        box("Mass", "m", fmt::format("{} {}", fmt::join(texts, " / "), unit_text(units, Unit::kg)));
   }
   if (input.rating)
     text += key_boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)},

@@ -60,11 +60,9 @@ std::string order_in_words(const SearchProblem& problem) {
 std::string rejected_table(const SearchCounts& counts) {
   if (counts.tested == counts.feasible) return {};
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < counts.rejected.size(); ++i) {
-    const std::int64_t n = counts.rejected[i];
-    if (n == 0) continue;
+  for (const auto& [words, n, of_verdict] : rejected_by(counts)) {
     const double share = 100.0 * static_cast<double>(n) / static_cast<double>(counts.tested);
-    rows.push_back({std::string(words_of(static_cast<Limit>(i))), counted(n),
+    rows.push_back({of_verdict ? "of these: " + words : words, counted(n),
                     fixed(share, share < 1.0 ? 3 : 1) + "\u00a0%"});
   }
   return value_table(

@@ -23,6 +23,7 @@ struct Entry {
 constexpr Entry kEntries[] = {
     {"interference", {}},
     {"module_mm", {}},
+    {"normal_diametral_pitch_per_in", {}},
     {"teeth", ""},
     {"helix_angle_deg", {}},
     {"rack", {}},
@@ -219,6 +220,24 @@ constexpr std::array<std::string_view, kLimits> kLimitWords{
 }  // namespace
 
 std::string_view words_of(Limit limit) { return kLimitWords[static_cast<std::size_t>(limit)]; }
+
+std::vector<RejectedBy> rejected_by(const SearchCounts& counts) {
+  std::vector<RejectedBy> list;
+  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
+    if (counts.rejected[i] > 0)
+      list.push_back({std::string(words_of(static_cast<Limit>(i))), counts.rejected[i], false});
+  // The findings follow their limit, which is the last one. Some drawings have no finding, because
+  // they cannot be made or rated.
+  std::int64_t rest = counts.rejected[static_cast<std::size_t>(Limit::verdict)];
+  for (const WarningMeaning& finding : warning_meanings()) {
+    const std::int64_t n = counts.findings[static_cast<std::size_t>(finding.code)];
+    if (n == 0) continue;
+    list.push_back({*finding.reason ? finding.reason : finding.text, n, true});
+    rest -= n;
+  }
+  if (rest > 0) list.push_back({"a pair that cannot be drawn or rated", rest, true});
+  return list;
+}
 
 ObjectiveWords words_of(Objective objective) {
   switch (objective) {

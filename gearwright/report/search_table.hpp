@@ -1,6 +1,7 @@
 // Writes sortable tables of designs, in particular the table of a search.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,6 +51,15 @@ std::string_view sort_script();
 
 /// Returns the reason for rejecting a trial, such as "centre distance out of reach".
 std::string_view words_of(Limit limit);
+
+/// A reason for rejecting trials, and the number of these trials.
+struct RejectedBy {
+  std::string words;
+  std::int64_t trials;
+  bool of_verdict;  ///< true for a finding, whose trials are a part of those of the limit `verdict`
+};
+/// Returns the limits that reject trials, followed by the findings of the verdict.
+std::vector<RejectedBy> rejected_by(const SearchCounts& counts);
 
 /// Words for an objective, to be used on axes and in sentences.
 struct ObjectiveWords {

@@ -36,6 +36,25 @@ TEST(SearchWords, EveryLimitHasWordsOfItsOwn) {
   EXPECT_EQ(words_of(Limit::interference), "interference");
 }
 
+TEST(SearchWords, FindingsFollowTheVerdict) {
+  SearchCounts counts;
+  counts.rejected[static_cast<std::size_t>(Limit::interference)] = 5;
+  counts.rejected[static_cast<std::size_t>(Limit::verdict)] = 3;
+  counts.findings[static_cast<std::size_t>(WarningCode::jam)] = 1;
+  counts.findings[static_cast<std::size_t>(WarningCode::no_backlash)] = 2;
+  const std::vector<RejectedBy> list = rejected_by(counts);
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(list[0].words, "interference");
+  EXPECT_EQ(list[1].trials, 3);
+  EXPECT_FALSE(list[1].of_verdict);
+  EXPECT_EQ(list[2].words, meaning_of(WarningCode::jam).reason);
+  EXPECT_EQ(list[3].words, "no_backlash");  // this code has no clause for headlines
+  EXPECT_TRUE(list[2].of_verdict && list[3].of_verdict);
+  counts.rejected[static_cast<std::size_t>(Limit::verdict)] = 5;
+  ASSERT_EQ(rejected_by(counts).size(), 5u);
+  EXPECT_EQ(rejected_by(counts)[4].trials, 2);  // drawings that cannot be made
+}
+
 // The value of an objective has the sign of its quantity. A lower cost is always better. Designs
 // without a rank have values, too.
 TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {

@@ -82,12 +82,11 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
 }
 
 // Returns the number of combinations of module, face width and overlap ratio.
-double count_of_overlaps(const SearchProblem& p, std::size_t ratios) {
+double count_of_overlaps(const SearchProblem& p, std::size_t ratios,
+                         const std::array<double, 2>& band_deg) {
   double count = 0.0;
   for (const double module : p.modules) {
-    Trial trial;
-    trial.module = module;
-    const auto [least, most] = face_widths(p, trial);
+    const auto [least, most] = overlap_face_widths(p, module, band_deg);
     if (least <= most) count += std::floor((most - least) / p.face_step) + 1.0;
   }
   return count * static_cast<double>(ratios);
@@ -119,8 +118,15 @@ void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
     t.fail("face_width_diameters",
            "cannot be combined with overlap_ratio, because the helix angles are the same for all "
            "numbers of teeth; use face_width_mm or face_width_modules");
-  if (!p.face_width && !p.face_modules)
-    t.fail(key, "needs face_width_mm or face_width_modules, from which the helix angle follows");
+  if (!p.face_width && !p.face_modules) {
+    if (!p.limits.safety_flank && !p.limits.safety_root)
+      t.fail(
+          key,
+          "needs face widths, from which the helix angle follows; give face_width_mm or "
+          "face_width_modules, or a required safety by safety_flank_min or safety_root_min, with "
+          "which all widths from 0.2 to 1 times the reference diameter of the pinion are tried");
+    p.face_diameters = kUsualFace;
+  }
   auto sorted = *ratios;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -129,7 +135,7 @@ void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
     if (i > 0 && sorted[i] == sorted[i - 1])
       t.fail(key, fmt::format("contains {} twice", sorted[i]));
   }
-  if (const double count = count_of_overlaps(p, sorted.size()); count > kMaxAngles)
+  if (const double count = count_of_overlaps(p, sorted.size(), band); count > kMaxAngles)
     t.fail(key, fmt::format("gives {:.6g} combinations of module, face width and overlap ratio, "
                             "but at most {} are allowed; narrow the bands, or use a greater "
                             "face_width_step_mm",
@@ -279,9 +285,11 @@ void require_parallel(const TableReader& t, const SearchProblem& problem, const 
   if (problem.crossed()) t.fail(key, why);
 }
 
-SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2) {
+SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2,
+                          UnitSystem units) {
   TableReader t(search_keys(), search, "search");
   SearchProblem p;
+  p.face_step = default_face_step(units);
   t.read(p);
   if (p.modules.empty()) p.modules = module_series("ISO54-I");
   const std::array<Blank, 2> blanks{read_blank(gear_1, "gear1"), read_blank(gear_2, "gear2")};

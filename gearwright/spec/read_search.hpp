@@ -6,6 +6,8 @@
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
+#include <array>
+
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_keys.hpp"
 #include "gearwright/design/drive_search.hpp"
@@ -17,7 +19,14 @@
 namespace gearwright {
 
 /// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
-SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
+/// The default step of face widths depends on the units of the spec.
+SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2,
+                          UnitSystem units);
+
+/// Usual face widths, as multiples of the reference diameter of the pinion. A wider pinion bends
+/// and twists so much that only a part of its face carries load. Narrower gears are rare in
+/// reducers.
+inline constexpr std::array kUsualFace{0.2, 1.0};
 
 /// Returns the default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the
 /// widths are round numbers in the units of the spec.
@@ -39,7 +48,8 @@ void require_parallel(const TableReader& t, const SearchProblem& problem, const 
 inline constexpr double kSearchFaceLoad = 1.4;
 
 /// Adds the default `face_load_factor` to the table [rating] of a search, if the table has neither
-/// this key nor [rating.mounting]. A rating by VDI 2736 and the rating of a complete pair have no
+/// this key nor [rating.mounting]. The key `face_load_factor_assumed` marks the default, also in
+/// the specs of the designs. A rating by VDI 2736 and the rating of a complete pair have no
 /// default.
 void lend_face_load(Json& tree);
 

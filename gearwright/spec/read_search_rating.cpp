@@ -52,10 +52,6 @@ constexpr const char* kNeedsRating =
     "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
     "power_kW), speed_rpm = 1500 and quality = 6, and [gear1.material] with name = \"16MnCr5\"";
 
-// Usual face widths, as multiples of the reference diameter of the pinion. A wider pinion bends and
-// twists so much that only a part of its face carries load. Narrower gears are rare in reducers.
-constexpr std::array kUsualFace{0.2, 1.0};
-
 // Returns the first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
@@ -89,8 +85,9 @@ void lend_face_load(Json& tree) {
   if (tree.contains("gear1") && tree["gear1"].contains("teeth")) return;
   Json& rating = tree["rating"];
   const bool plastic = rating.value("standard", Json()) == "VDI 2736:2014";
-  if (!plastic && !rating.contains("face_load_factor") && !rating.contains("mounting"))
-    rating["face_load_factor"] = kSearchFaceLoad;
+  if (plastic || rating.contains("face_load_factor") || rating.contains("mounting")) return;
+  rating["face_load_factor"] = kSearchFaceLoad;
+  rating["face_load_factor_assumed"] = true;
 }
 
 bool has_default_face_load(const JobSpec& spec) {

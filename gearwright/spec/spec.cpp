@@ -332,10 +332,9 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
       t.refuse(table, "cannot be combined with a search for drives");
     lacks.of([&] { read_drive_search(*search); });  // the table is read again when it is used
   }
-  if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
+  if (search && !drives)
+    lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2, spec.units()); });
   if (spec.search) {
-    if (!search->contains("face_width_step_mm"))
-      spec.search->face_step = default_face_step(spec.units());
     lacks.of([&] { check_modifications(gear_1, "gear1", folder); });
     lacks.of([&] { check_modifications(gear_2, "gear2", folder); });
   }

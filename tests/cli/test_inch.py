@@ -124,6 +124,23 @@ class Law(unittest.TestCase):
 
 
 class Words(unittest.TestCase):
+    def test_a_search_by_diametral_pitch(self):
+        text = ('title = "case"\nunits = "inch"\n[search]\nratio = [3.1, 3.2]\ncenter_distance_in = 5\n'
+                'diametral_pitches_per_in = 8\nhelix_angle_deg = 25\nobjective = "mass"\n')
+        listed = Run("search", text)
+        self.assertEqual(listed.status, 0, listed.err)
+        self.assertNotRegex(listed.out, r"3\.175| kg\n")
+        self.assertRegex(listed.out, r"8\.000")
+        self.assertRegex(listed.out, r"\blb\b")
+        design = Run("search", text, "--json").json["search"]["designs"][0]
+        self.assertAlmostEqual(design["normal_diametral_pitch_per_in"], 8, delta=1e-12)
+        self.assertEqual(design["module_mm"], 3.175)
+        taken = Run("search", text, "--take", 1).out
+        self.assertRegex(taken, r'title = "case, \d+:\d+, diametral pitch 8"')
+        in_mm = Run("search", "[search]\nratio = [3.1, 3.2]\ncenter_distance_mm = 127\nmodules_mm = 3\nhelix_angle_deg = 25\n"
+                    'objective = "mass"\n', "--json").json["search"]["designs"][0]
+        self.assertNotIn("normal_diametral_pitch_per_in", in_mm)
+
     def test_errors_are_in_inch(self):
         for old, new, *words in (
                 ("face_width_in = 1", "face_width_in = -1", "gear1.face_width_in = -1: must be greater than 0"),

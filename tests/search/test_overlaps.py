@@ -75,6 +75,40 @@ class WholeOverlaps(unittest.TestCase):
         for got, want in zip(found["designs"][0]["S_H"], rate.json["rating"]["S_H"]):
             self.assertAlmostEqual(got, want, delta=1e-12 * want)
 
+    def test_default_widths(self):
+        keys = KEYS | {"modules_mm": [2], "face_width_mm": None, "face_width_step_mm": 1, "overlap_ratio": 1}
+        found = search(spec(keys | {"safety_flank_min": 1.2, "objective": "mass"}, RATED))
+        self.assertGreater(found["feasible_count"], 0)
+        for row in found["designs"]:
+            share = row["face_width_mm"] / (2 * row["teeth"][0] / math.cos(math.radians(row["helix_angle_deg"][0])))
+            self.assertTrue(0.2 <= share <= 1, row)
+            self.assertLess(overlap(row["face_width_mm"], 2, row["helix_angle_deg"][0] - 0.01), 1)
+            self.assertGreaterEqual(row["overlap_ratio"], 1 - 1e-12)
+        wide = search(spec(keys | {"safety_flank_min": 1.2, "objective": "mass", "face_width_mm": [1, 100]}, RATED))
+        self.assertEqual([d for d in wide["designs"] if d["face_width_mm"] * math.cos(math.radians(d["helix_angle_deg"][0]))
+                          <= 2 * d["teeth"][0]][0]["face_width_mm"], found["designs"][0]["face_width_mm"])
+        refused = Run("search", spec(keys | NOMINAL), folder=folder())
+        self.assertEqual(refused.status, 1)
+        self.assertIn("search.overlap_ratio", refused.err)
+        self.assertIn("or a required safety by safety_flank_min or safety_root_min", " ".join(refused.err.split()))
+
+    def test_widths_of_an_inch_spec(self):
+        keys = {"ratio": [1.9, 2.1], "center_distance_in": [3.9, 4], "diametral_pitches_per_in": [10, 12],
+                "helix_angle_deg": [8, 20], "face_width_in": [1, 1.5], "overlap_ratio": 1} | NOMINAL
+        found = search('units = "inch"\n' + spec(keys))
+        self.assertTrue(found["designs"])
+        for row in found["designs"]:  # multiples of the default step, 0.05 in
+            steps = row["face_width_in"] / 0.05
+            self.assertAlmostEqual(steps, round(steps), delta=1e-9)
+
+    def test_a_short_overlap_is_named(self):
+        words = "overlap_ratio = 1 in [search] gives every design a whole overlap ratio."
+        narrow = KEYS | NOMINAL | {"overlap_ratio": None, "face_width_mm": 10, "face_width_step_mm": None}
+        listed = lambda keys: " ".join(Run("search", spec(keys), folder=folder()).out.split())  # noqa: E731
+        self.assertIn("have an overlap ratio ε_β below 1. " + words, listed(narrow))
+        for other in ({"helix_angle_deg": 0}, {"overlap_ratio_min": 0.2}, {"face_width_mm": 200}):
+            self.assertNotIn(words, listed(narrow | other), other)
+
     def test_default_band(self):
         text = spec(KEYS | NOMINAL, helix_angle_deg=None)
         found = search(text)

@@ -129,7 +129,23 @@ class Listed(unittest.TestCase):
         self.assertIn("K_Hβ = 1.4 is a default. Give face_load_factor or [rating.mounting]", run.out)
         take = Run("search", rated(STEEL + bare, safety_flank_min=0.7), "--take", 1, folder=folder())
         self.assertIn("face_load_factor = 1.4", take.out)
-        self.assertEqual(Run("rate", take.out, folder=take.folder, name="pair.toml").status, 0)
+        self.assertIn("face_load_factor_assumed = true", take.out)
+        rate = Run("rate", take.out, folder=take.folder, name="pair.toml")
+        self.assertEqual(rate.status, 0)
+        self.assertRegex(rate.out, r"K_Hβ +1\.4000 +default of a search, not given by the user\n")
+        own = take.out.replace("face_load_factor_assumed = true\n", "")
+        self.assertRegex(Run("rate", own, folder=take.folder, name="own.toml").out, r"K_Hβ +1\.4000 +given by the user\n")
+
+    def test_factors_that_are_1_by_default(self):
+        self.assertEqual(search(rated())["assumed_factors"], {"K_gamma": 1})
+        bare = "".join(line for line in (STEEL + LOAD).splitlines(True)
+                       if not line.startswith(("application", "lubricant", "flank_r", "root_r")))
+        self.assertEqual(search(rated(bare, safety_flank_min=0.7))["assumed_factors"],
+                         dict.fromkeys(("K_A", "K_gamma", "Z_L", "Z_R", "Y_R_relT"), 1))
+        words = " ".join(Run("search", rated(bare, safety_flank_min=0.7), folder=folder()).out.split())
+        self.assertIn("K_A, K_γ, Z_L, Z_R and Y_RrelT are 1 by default. Give application_factor, mesh_load_factor, "
+                      "lubricant_viscosity_40C_mm2_s, flank_roughness_um and root_roughness_um in [rating].", words)
+        self.assertNotIn("assumed_factors", search(spec(BANDS)))
 
     def test_safeties_of_the_rating_count(self):
         here = search(rated(STEEL + LOAD + "safety_flank_min = 1.1\n", safety_flank_min=None))
@@ -225,6 +241,36 @@ class Nothing(Asked):
         self.assertEqual([c["from"] for c in steels], ['"42CrMo4"'])
         better = f'[gear1.material]\nname = {steels[0]["to"]}\n'
         self.assertGreater(search(rated(better + LOAD))["feasible_count"], 0)
+
+    def test_the_finding_that_rejects_the_safest_design(self):
+        # The safeties are sufficient, but the least centre distance is smaller than the backlash-free one.
+        text = spec({"ratio": [2.5, 2.5], "modules_mm": [2], "pinion_teeth": [20, 20], "face_width_mm": 20, "helix_angle_deg": 12,
+                     "safety_flank_min": 1, "safety_root_min": 1, "thickness_series": "h21", "center_distance_tolerance": "JS11"},
+                    STEEL + LOAD.replace("power_kW = 20", "power_kW = 8"))
+        found = search(text)
+        self.assertEqual((found["feasible_count"], found["rejected"]["verdict"]), (0, 1))
+        self.assertEqual(found["rejected_by_finding"], {"negative_backlash": 1})
+        self.assertGreater(min(found["safest"]["S_H"] + found["safest"]["S_F"]), 1)
+        self.assertIn("The backlash is negative", found["safest_finding"])
+        words = " ".join(Run("search", text, folder=folder()).out.split())
+        self.assertIn("The verdict on its drawing rejects it: " + found["safest_finding"], words)
+        impossible = text.replace('thickness_series = "h21"', "backlash_mm = [0, 0.001]")
+        found = search(impossible)
+        self.assertEqual((found["rejected"]["verdict"], found["rejected_by_finding"]), (1, {}))
+        self.assertIn("The pair cannot be drawn. pair.backlash_mm: the range is too narrow", found["safest_finding"])
+        self.assertIn("a pair that cannot be drawn or rated: 1", Run("search", impossible, folder=folder()).out)
+        self.assertNotIn("safest_finding", search(rated(STEEL + self.HEAVY)))
+
+    def test_a_key_with_two_limits_is_named_once(self):
+        text = spec({"ratio": [3.087, 3.213], "center_distance_mm": 125, "helix_angle_deg": [8, 20], "overlap_ratio_min": 1,
+                     "safety_flank_min": 1.89, "safety_root_min": 1.6, "objective": "balance"},
+                    '[gear1]\nrack = "ISO53-D"\n' + STEEL + "[rating]\npower_kW = 11\nspeed_rpm = 1450\nlife_h = 20000\n"
+                    "quality = 6\n[rating.mounting]\nbearing_span_mm = 120\npinion_offset_mm = 20\nshaft_diameter_mm = 35\n")
+        words = " ".join(Run("search", text, folder=folder()).out.split())
+        self.assertIn("ended after 300 trials for each key", words)
+        self.assertEqual(words.count("`search.profile_shift`"), 1)
+        # The nominal teeth of this design have the required safeties, but not its thinnest teeth.
+        self.assertRegex(words, r"S_H = 1\.891 and S_F = 3\.178 with nominal teeth\. The verdict on its drawing rejects it: ")
 
     def test_in_words(self):
         run = Run("search", rated(STEEL + self.HEAVY), folder=folder())

@@ -48,8 +48,8 @@ Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
     blanks[i].erase("helix_angle_deg");
     blanks[i]["normal_pressure_angle_deg"] = g[i]->spec.normal_pressure_angle.deg();
   }
-  try {
-    return read_search(search, &blanks[0], &blanks[1]);
+  try {  // with one face width, the units have no effect
+    return read_search(search, &blanks[0], &blanks[1], UnitSystem::mm);
   } catch (const SpecError& e) {
     return e.error;
   }
