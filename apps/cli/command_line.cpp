@@ -203,7 +203,8 @@ void CommandLine::add_files() {
   files->add_option("--rexs", o.rexs,
                     "REXS 1.7 file (exchange format for gear units) of a pair or a drive: .rexs, "
                     ".rexsj for JSON, or .rexsz for a ZIP archive");
-  files->add_option("--sheet", o.sheet, "Sheet of the workshop drawing: A4 (default) or A3")
+  files->add_option("--sheet", o.sheet, "Sheet of the workshop drawing, A4 or A3 (default: A3 if the scale on A4 would be "
+                    "smaller than 1:2)")
       ->check(CLI::IsMember({"A4", "A3"}));
   files
       ->add_option("--step-schema", o.step_schema,

@@ -222,7 +222,8 @@ int export_verb(const Options& o) {
   for (const auto& [kind, path] : wanted)
     if (!path->empty()) files.push_back(make_file(kind, bodies, *path, options));
   if (format) {
-    const SheetSize size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
+    std::optional<SheetSize> size;
+    if (!o.sheet.empty()) size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
     files.push_back(make_workshop_drawing(*job, drawn, *format, size, o.drawing, options));
   }
   if (!o.rexs.empty()) files.push_back(make_rexs(*job, o.rexs));

@@ -24,7 +24,7 @@ struct Options {
   std::string part;  // for export: "1", "2", or the name of a part or gear of a drive
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg, drawing, rexs;
-  std::string sheet = "A4";
+  std::string sheet;  // "A4", "A3", or empty if the scale determines the size
   std::string step_schema = "ap242";
   FileOptions files;
   std::vector<std::string> cases;

@@ -167,14 +167,15 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
 // determines the format, and `format` is ignored.
 py::object drawing(const std::vector<int>& gears, const Model& model,
                    const std::optional<fs::path>& path, const std::string& format,
-                   const std::string& sheet, double tolerance) {
+                   const std::optional<std::string>& sheet, double tolerance) {
   const auto kind = sheet_format(path.value_or("drawing." + format));
   if (!kind && path) raise({"path", path->string(), "must end in .pdf, .svg or .dxf"});
   if (!kind) raise({"format", format, "must be pdf, svg or dxf"});
-  if (sheet != "A4" && sheet != "A3") raise({"sheet", sheet, "must be A4 or A3"});
+  if (sheet && *sheet != "A4" && *sheet != "A3") raise({"sheet", *sheet, "must be A4 or A3"});
   FileOptions options;
   options.drawing_tolerance_mm = tolerance_in_range(tolerance, kDrawingTolerances);
-  const SheetSize size = sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
+  std::optional<SheetSize> size;
+  if (sheet) size = *sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
   const fs::path name = path.value_or("drawing");
   std::optional<Result<JobFile>> file;
   {
@@ -222,14 +223,14 @@ void bind_exports(Class& type) {
   type.def(
       "drawing",
       [](const Self& self, const py::object& path, const std::string& format,
-         const std::string& sheet, double tolerance) {
+         const std::optional<std::string>& sheet, double tolerance) {
         return drawing(self.gears(), *self.model, path_or_none(path, "path"), format, sheet,
                        tolerance);
       },
-      py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
+      py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = py::none(),
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear or rack. Returns "
-      "the bytes of the file in the given format (pdf, svg or dxf), or writes the file to path, "
+      "Workshop drawing with the gear data, one sheet for each gear or rack: A4, or A3 if the scale "
+      "on A4 would be smaller than 1:2, or the given sheet (\"A4\" or \"A3\"). Returns the bytes of the file in the given format (pdf, svg or dxf), or writes the file to path, "
       "whose ending determines the format. The drawn outline is within tolerance (mm) of the exact "
       "outline");
 }

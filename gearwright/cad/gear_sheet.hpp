@@ -51,6 +51,7 @@ struct GearSheetInput {
 struct GearSheet {
   Sheet sheet;
   std::string scale;    ///< "1:2"
+  double factor;        ///< the scale, mm on paper per mm on the gear
   double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 

@@ -94,7 +94,7 @@ GearSheet on_page(const SheetPage& page, double deviation_mm,
     views->draw(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
     draw_data(sheet, place.data, page.data, place.columns);
     title_block(sheet, words);
-    return GearSheet{std::move(sheet), words, deviation_mm};
+    return GearSheet{std::move(sheet), words, scale.factor(), deviation_mm};
   }
   contract_failed("postcondition", "a scale", __FILE__, __LINE__);
 }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/rack_sheet.hpp"
 #include "gearwright/cad/section.hpp"
@@ -155,9 +156,17 @@ std::optional<SheetFormat> sheet_format(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
-                                       SheetSize size, double tolerance_mm) {
-  WorkshopSheets all{{}, "", 0.0};
+namespace {
+
+struct ScaledSheets {
+  WorkshopSheets sheets;
+  double least_factor;  // smallest scale, mm on paper per mm on the gear
+};
+
+Result<ScaledSheets> sheets_of_size(const SolvedJob& job, const std::vector<int>& gears,
+                                    SheetSize size, double tolerance_mm) {
+  ScaledSheets scaled{{{}, size, "", 0.0}, kInfinity};
+  WorkshopSheets& all = scaled.sheets;
   for (std::size_t i = 0; i < gears.size(); ++i) {
     const SheetNumbers numbers = sheet_numbers(job, gears, i);
     auto made = gears[i] == 2 && job.rack
@@ -168,12 +177,28 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
     all.scales += (i == 0 ? "" : ", ") + sheet.scale;
     all.deviation_mm = std::max(all.deviation_mm, sheet.deviation_mm);
     all.sheets.push_back(std::move(sheet.sheet));
+    scaled.least_factor = std::min(scaled.least_factor, sheet.factor);
   }
-  return all;
+  return scaled;
+}
+
+}  // namespace
+
+Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
+                                       std::optional<SheetSize> size, double tolerance_mm) {
+  constexpr double kReadable = 0.5;  // teeth of usual modules can be told apart at 1:2
+  auto made = sheets_of_size(job, gears, size.value_or(SheetSize::a4), tolerance_mm);
+  if (!made) return made.error();
+  if (!size && made->least_factor < kReadable) {
+    auto larger = sheets_of_size(job, gears, SheetSize::a3, tolerance_mm);
+    if (!larger) return larger.error();
+    if (larger->least_factor > made->least_factor) made = std::move(larger);
+  }
+  return std::move(made->sheets);
 }
 
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
-                                      SheetFormat format, SheetSize size,
+                                      SheetFormat format, std::optional<SheetSize> size,
                                       const std::filesystem::path& path,
                                       const FileOptions& options) {
   GW_EXPECTS(!gears.empty());
@@ -182,7 +207,7 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   if (!made) return made.error();
   const DrawingInput words = title_words(job);
   const SheetWords about{words.title, words.author};
-  std::string note = fmt::format("{}, scale {}", size == SheetSize::a4 ? "A4" : "A3", made->scales);
+  std::string note = fmt::format("{}, scale {}", made->size == SheetSize::a4 ? "A4" : "A3", made->scales);
   const bool pdf = format == SheetFormat::pdf;
   const int unknown = pdf ? letters_not_in_pdf(made->sheets) : 0;
   if (unknown > 0)

@@ -20,6 +20,7 @@ std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {
   std::vector<Sheet> sheets;
+  SheetSize size;
   std::string scales;   ///< "1:1, 1:2"
   double deviation_mm;  ///< greatest deviation of the drawn outlines from the exact ones
 };
@@ -29,14 +30,16 @@ std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody
 
 /// Makes one sheet for each gear or rack of the job whose number (1 or 2) is in `gears`.
 /// `tolerance_mm` is the greatest deviation of the drawn outlines.
+/// Without a size, the sheets have the size A4. If the scale of a sheet A4 would be smaller than
+/// 1:2, the sheets have the size A3, provided that this enlarges the smallest scale.
 ///
 /// Errors    the errors of make_body(), gear_sheet() and rack_sheet()
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
-                                       SheetSize size, double tolerance_mm);
+                                       std::optional<SheetSize> size, double tolerance_mm);
 
 /// Domain    at least one gear (contract)
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
-                                      SheetFormat format, SheetSize size,
+                                      SheetFormat format, std::optional<SheetSize> size,
                                       const std::filesystem::path& path,
                                       const FileOptions& options);
 

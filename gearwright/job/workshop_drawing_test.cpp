@@ -2,9 +2,10 @@
 // gears.
 #include "gearwright/job/workshop_drawing.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -109,6 +110,24 @@ TEST(WorkshopDrawing, takes_the_greatest_scale_that_has_room) {
   EXPECT_EQ(scale(small, SheetSize::a3), "10:1");
   EXPECT_EQ(scale(great, SheetSize::a4), "1:50");
   EXPECT_EQ(scale(great, SheetSize::a3), "1:20");
+}
+
+// Without a size, the sheets are A4. They are A3 if one of them would have a scale below 1:2 on A4
+// and a greater scale on A3.
+TEST(WorkshopDrawing, IsOnA3IfA4WouldBeTooSmall) {
+  const auto sheets = [](const std::string& toml, const std::vector<int>& gears) {
+    return taken(workshop_sheets(solved(toml), gears, std::nullopt, 0.001));
+  };
+  const auto wheel = [](int teeth) {
+    return fmt::format("\n[gear2]\nteeth = {}\nnormal_module_mm = 2\nface_width_mm = 15", teeth);
+  };
+  const std::string pinion = gear("teeth = 27\nnormal_module_mm = 2\nface_width_mm = 15");
+  const WorkshopSheets small = sheets(pinion + wheel(30), {1, 2});
+  EXPECT_EQ(small.size, SheetSize::a4) << small.scales;
+  const WorkshopSheets large = sheets(pinion + wheel(85), {1, 2});
+  EXPECT_EQ(large.size, SheetSize::a3) << large.scales;
+  for (const Sheet& sheet : large.sheets) EXPECT_EQ(sheet.size.x(), 420);
+  EXPECT_EQ(sheets(pinion + wheel(85), {1}).size, SheetSize::a4);
 }
 
 bool contains(const std::string& toml, const std::string& words) {
