@@ -6,6 +6,7 @@
 import type { Figure } from "../engine/engine";
 import style from "../../../gearwright/figure/figure_style.css?inline";
 import { button, download, fill, h, svg } from "./elements";
+import { nodesOf, patchChildren } from "./figure_patch";
 import { bench } from "./workbench";
 
 /** Returns an axis of a plot. The value `lo` is at the position `from`, and `hi` at `to`, px. */
@@ -32,6 +33,7 @@ export class FigureSlot {
     this.values,
   );
   private figure: Figure | null = null;
+  private reduced = false;
   private t = NaN;
   private turn: ((t: number, moved: boolean) => void) | null = null; // for the figure as drawn
 
@@ -56,10 +58,14 @@ export class FigureSlot {
     });
   }
 
-  show(figure: Figure | undefined): void {
+  /** `reduce` removes parts of the figure that are not visible before it is shown. */
+  show(figure: Figure | undefined, reduce?: (nodes: DocumentFragment) => void): void {
     this.element.hidden = !figure;
-    if (figure?.html !== this.figure?.html) {
-      this.picture.innerHTML = figure?.html ?? "";
+    if (figure?.html !== this.figure?.html || this.reduced) {
+      const nodes = nodesOf(figure?.html ?? "");
+      reduce?.(nodes);
+      this.reduced = reduce !== undefined;
+      patchChildren(this.picture, nodes);
       this.turn = this.plot && figureTurn(this.plot);
     }
     const data = figure?.data;

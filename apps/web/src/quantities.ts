@@ -9,6 +9,9 @@ import { fillCell, quantityTable } from "./quantity_table";
 import { markRevision } from "./revision";
 import { bench } from "./workbench";
 
+/** Pause after the last change before the highlight of altered values begins to fade, ms. */
+const kFadeMs = 150;
+
 export class QuantityPane {
   private readonly search = h("input", {
     type: "search",
@@ -28,6 +31,8 @@ export class QuantityPane {
   private shown = ""; // the text of the spec to which the shown numbers belong
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
+  private readonly altered = new Set<HTMLElement>();
+  private rest = 0;
 
   constructor() {
     bench.on("solved", () => this.update());
@@ -57,27 +62,41 @@ export class QuantityPane {
     this.shown = solved.text;
     this.age();
     if (solved.rows === this.rows && this.signature) return;
+    const before = this.rows;
     this.rows = solved.rows;
     const signature = solved.gears + this.rows.map((row) => row.id + row.unit + row.texts.length).join();
     if (signature !== this.signature) {
       this.signature = signature;
       const table = quantityTable(this.rows, solved.gears, { untitled: "Drive" });
       this.cells = table.cells;
+      this.altered.clear();
       fill(this.sheet, table.element);
       this.filter();
       return;
     }
-    for (const row of this.rows) {
-      const cells = this.cells.get(row.id)!;
+    this.rows.forEach((row, k) => {
+      const old = before[k]!;
       row.texts.forEach((text, i) => {
-        const cell = cells[i]!;
-        if (cell.textContent === text + (row.ends[i] ?? "")) return;
-        fillCell(cell, row, i);
-        // An animation with another name starts anew without a forced layout.
-        if (!cell.classList.replace("glow", "glow-again") && !cell.classList.replace("glow-again", "glow"))
-          cell.classList.add("glow");
+        if (old.texts[i] !== text || old.ends[i] !== row.ends[i]) this.alter(row, i);
       });
-    }
+    });
+    clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => this.fade(), kFadeMs);
+  }
+
+  /** Shows and highlights a new value. */
+  private alter(row: Row, i: number): void {
+    const cell = this.cells.get(row.id)![i]!;
+    fillCell(cell, row, i);
+    cell.classList.remove("glow");
+    cell.classList.add("altered");
+    this.altered.add(cell);
+  }
+  /** Lets the highlights fade. While values change in every frame, they do not fade, because the browser would
+   *  paint each fading cell again in every frame. */
+  private fade(): void {
+    for (const cell of this.altered) cell.classList.replace("altered", "glow");
+    this.altered.clear();
   }
 
   private filter(): void {

@@ -4,6 +4,12 @@ import type { Row } from "../engine/engine";
 import { fill, h, symbol, tableOf } from "./elements";
 
 export function fillCell(cell: Element, row: Row, i: number): void {
+  const [text] = cell.childNodes;
+  // A text that replaces the text of the same node is laid out faster than a new node.
+  if (text instanceof Text && cell.childNodes.length === 1 && !row.ends[i]) {
+    text.data = row.texts[i]!;
+    return;
+  }
   const title = "at both ends of the tolerances";
   fill(cell, row.texts[i], row.ends[i] && h("small", { class: "ends", title }, row.ends[i]));
 }

@@ -1,5 +1,9 @@
 // Each picture stores the revision of the spec that it shows. If this revision differs from the revision of
-// the spec on screen, the picture is dimmed. A spinner is shown while the next picture is being made.
+// the spec on screen, the picture is stale. A stale picture that is not renewed for a moment is dimmed, and a
+// spinner is shown while the next picture is being made.
+
+/** Time after which a stale picture is dimmed, so that it does not flicker if the next picture comes quickly, ms. */
+const kDimMs = 200;
 
 /** Returns a hash of the text (32-bit FNV-1a) in hexadecimal digits, or "" if there is no text. */
 export function revisionOf(text: string): string {
@@ -9,12 +13,38 @@ export function revisionOf(text: string): string {
   return (hash >>> 0).toString(16).padStart(8, "0");
 }
 
+const waiting = new WeakMap<HTMLElement, number>();
+
+/** Sets the class "late" of an element if it stays late for a moment. A script waits instead of the style sheet,
+ *  because a browser makes a layer for an animation that has not begun, and draws it in every frame. */
+export function markLate(element: HTMLElement, late: boolean): void {
+  if (late) {
+    if (!waiting.has(element))
+      waiting.set(element, window.setTimeout(() => element.classList.add("late"), kDimMs));
+    return;
+  }
+  clearTimeout(waiting.get(element));
+  waiting.delete(element);
+  element.classList.remove("late");
+}
+
+/** Marks a part of a picture as renewed. The picture is then not dimmed for another moment. */
+export function markRenewed(picture: HTMLElement): void {
+  if (!waiting.has(picture)) return;
+  markLate(picture, false);
+  markLate(picture, true);
+}
+
 /** Stores in a picture the revision of the text `made`, from which the picture was made. `wanted`
  *  is the text on screen. If the texts differ, the picture is marked "working" while the next
  *  picture is being made, otherwise "kept". */
 export function markRevision(picture: HTMLElement, made: string, wanted: string, working = true): void {
   const stale = made !== "" && made !== wanted;
-  picture.dataset["revision"] = revisionOf(made);
+  const revision = revisionOf(made);
+  // While a value changes, the picture lags behind the spec, but it is renewed in every frame and not dimmed.
+  if (picture.dataset["revision"] !== revision) markRenewed(picture);
+  picture.dataset["revision"] = revision;
+  markLate(picture, stale);
   if (stale) picture.dataset["stale"] = working ? "working" : "kept";
   else delete picture.dataset["stale"];
 }

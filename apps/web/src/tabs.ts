@@ -3,7 +3,7 @@
 import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
 import { onUnitChange } from "./numbers";
-import { markRevision } from "./revision";
+import { markLate, markRevision } from "./revision";
 import { bench, isDrive } from "./workbench";
 
 /** After this pause in the changes, contact, load and rating are judged even if their tabs are hidden. */
@@ -120,6 +120,7 @@ export class Tabs {
     markRevision(picture, shown, bench.text, working);
     const stale = picture.dataset["stale"];
     this.spinner.hidden = !working || (shown !== "" && !stale);
+    markLate(this.spinner, !this.spinner.hidden);
     this.kept.hidden = stale !== "kept";
     this.kept.textContent = bench.fault
       ? "The view shows the last valid spec."

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
-import { example, it, kPatience, native, put, settled, withPage } from "./stage.mjs";
+import { example, idle, it, kPatience, native, put, settled, withPage } from "./stage.mjs";
 
 let page;
 withPage((stage) => ({ page } = stage));
@@ -43,6 +43,57 @@ describe("figures", () => {
       });
       return uses.length === 4 && near.length === 4;
     });
+  });
+
+  for (const [tab, name, key, from] of [
+    ["mesh", "helical_pair", "gear1.profile_shift", 0.3],
+    ["contact", "misaligned_pair", "errors.crossing_deg", 0.03],
+  ])
+    it(`keeps the nodes of the figures while a value changes: ${tab}`, async () => {
+      await put(page, example(name), tab);
+      await idle(page);
+      const [added, nodes] = await page.evaluate(
+        async ({ tab, key, from }) => {
+          const room = document.querySelector(`#room-${tab}`);
+          const field = document.querySelector(`[data-key="${key}"]`);
+          let added = 0;
+          const size = (node) => 1 + (node.querySelectorAll?.("*").length ?? 0);
+          const count = (changes) =>
+            changes.forEach((one) => one.addedNodes.forEach((node) => (added += size(node))));
+          const slots = [...room.querySelectorAll(".figure-slot:not([hidden])")];
+          const observers = slots.map((slot) => {
+            const observer = new MutationObserver(count);
+            observer.observe(slot, { childList: true, subtree: true });
+            return observer;
+          });
+          const kChanges = 5;
+          for (let i = 1; i <= kChanges; ++i) {
+            field.value = (from + 0.0001 * i).toFixed(4);
+            field.dispatchEvent(new Event("input"));
+            do await new Promise((go) => setTimeout(go, 10));
+            while (!window.gearwright.idle());
+          }
+          for (const observer of observers) count(observer.takeRecords());
+          const nodes = slots.reduce((sum, slot) => sum + slot.querySelectorAll("*").length, 0);
+          return [added / kChanges, nodes];
+        },
+        { tab, key, from },
+      );
+      // A figure that is replaced as a whole adds all its nodes. Labels that find no place come and go.
+      assert.ok(added < 0.2 * nodes, `${added} of ${nodes} nodes are new after a change`);
+    });
+
+  it("a figure is complete again after the last change", async () => {
+    await put(page, example("helical_pair"), "mesh");
+    await idle(page);
+    const field = page.locator('[data-key="gear1.profile_shift"]');
+    for (const value of ["0.31", "0.32", "0.33"]) await field.fill(value);
+    await page.waitForFunction(
+      () =>
+        window.gearwright.idle() &&
+        document.querySelectorAll("#room-mesh defs use").length === 17 + 43 &&
+        !document.querySelector("#room-mesh circle[style]"),
+    );
   });
 
   it("a map of errors shows values and accepts clicks before it is complete", async () => {

@@ -10,10 +10,14 @@ import { check, Choice, h, onNextFrame, svg } from "../elements";
 import { axisOf, FigureSlot } from "../figure_slot";
 import { poseAt, touchAt, turnAt, type Motion } from "../motion";
 import { length } from "../numbers";
+import { markRenewed } from "../revision";
 import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
+import { keepVisible } from "./visible_parts";
 
+/** Pause after the last figure before it is drawn with its invisible parts, ms. */
+const kRestMs = 200;
 const kFrames = { whole: "whole", mesh: "mesh", flank: "flank" };
 
 export class MeshView implements Tab {
@@ -65,6 +69,8 @@ export class MeshView implements Tab {
   ];
   private motion: Motion | null = null;
   private size: [number, number] = [0, 0];
+  private last = 0; // ms, the time at which a figure was shown last
+  private rest = 0;
   private design = -1;
   private drawn = ""; // the text of the spec that the figure shows
   private placed = ""; // the text of the spec to which the poses belong
@@ -155,7 +161,14 @@ export class MeshView implements Tab {
   private show(figure: Figure | undefined): void {
     const focused = this.slot.element.contains(document.activeElement);
     this.figure = figure;
-    this.slot.show(figure);
+    markRenewed(this.picture);
+    // While figures follow each other quickly, only the visible parts are drawn.
+    const now = performance.now();
+    const moving = now - this.last < kRestMs;
+    this.last = now;
+    clearTimeout(this.rest);
+    if (moving) this.rest = window.setTimeout(() => this.figure && this.show(this.figure), kRestMs);
+    this.slot.show(figure, moving ? (nodes) => keepVisible(nodes, this.slot.plot, this.measured()) : undefined);
     const { plot } = this.slot;
     if (plot && !plot.querySelector(".touches"))
       plot.append(

@@ -1,0 +1,103 @@
+// Removes parts of the figure of the mesh that are outside the picture, so that it can be drawn in every frame
+// while a value changes. These parts are most teeth and most dashes of the circles. The visible parts are the
+// same as in the complete figure.
+
+type Box = { left: number; right: number; top: number; bottom: number }; // px
+
+const kStrokes = 8; // px, more than half the width of a line
+
+/** Removes invisible parts of a new figure. `shown` is the plot of the previous figure, whose gears have their
+ *  current positions, and `size` is the size of the picture on screen, px. */
+export function keepVisible(nodes: DocumentFragment, shown: Element | null, size: [number, number]): void {
+  const [x, y, width, height] = (nodes.querySelector("svg")?.getAttribute("viewBox") ?? "").split(" ").map(Number);
+  if (!shown || x === undefined || y === undefined || !width || !height) return;
+  const box = { left: x, right: x + width, top: y, bottom: y + height };
+  for (const gear of [0, 1]) keepTeeth(nodes, shown, gear, box);
+  const scale = Math.min(size[0] / width, size[1] / height);
+  for (const circle of nodes.querySelectorAll("circle.thin")) keepDashes(circle, shown, box, scale);
+}
+
+function grown({ left, right, top, bottom }: Box, by: number): Box {
+  return { left: left - by, right: right + by, top: top - by, bottom: bottom + by };
+}
+function inside(x: number, y: number, box: Box): boolean {
+  return x > box.left && x < box.right && y > box.top && y < box.bottom;
+}
+/** Returns the numbers of a function in a transform, for example [10, 20] for "translate(10 20)". */
+function numbersIn(transform: string | null | undefined, name: string): number[] | undefined {
+  return transform?.match(new RegExp(`${name}\\(([^)]*)\\)`))?.[1]?.split(" ").map(Number);
+}
+
+/** Removes the teeth of a gear that are more than two pitches outside the picture. A tooth extends over less
+ *  than that from its root. */
+function keepTeeth(nodes: DocumentFragment, shown: Element, gear: number, box: Box): void {
+  const of = `use[data-turn][data-gear="${gear}"]`;
+  const [use, old] = [nodes.querySelector(of), shown.querySelector(of)];
+  // The angle is that of the previous figure. If the number of teeth has changed, it is not known.
+  if (!use || !old || use.getAttribute("data-turn") !== old.getAttribute("data-turn")) return;
+  const [cx, cy] = numbersIn(use.getAttribute("transform"), "translate") ?? [];
+  const [scale] = numbersIn(use.getAttribute("transform"), "scale") ?? [];
+  const [turned] = numbersIn(old.getAttribute("transform"), "rotate") ?? [];
+  const id = CSS.escape(use.getAttribute("href")!.slice(1));
+  const teeth = nodes.querySelectorAll(`#${id} > use[href="#${id}-tooth"]`);
+  const outline = nodes.querySelector(`path#${id}-tooth, #${id}-tooth path`)?.getAttribute("d");
+  const start = outline?.match(/^M(-?\d+) (-?\d+)/); // in the middle of the space before the tooth
+  if (cx === undefined || cy === undefined || !scale || turned === undefined || !start) return;
+  const radius = scale * Math.hypot(Number(start[1]), Number(start[2]));
+  const near = grown(box, (2 * 2 * Math.PI * radius) / teeth.length);
+  for (const tooth of teeth) {
+    const [at] = numbersIn(tooth.getAttribute("transform"), "rotate") ?? [];
+    if (at === undefined) return;
+    const angle = ((turned + at) * Math.PI) / 180;
+    if (!inside(cx + radius * Math.cos(angle), cy + radius * Math.sin(angle), near)) tooth.remove();
+  }
+}
+
+/** Returns the parts of a circle in a box, as angles from the x axis towards the y axis, 0 … 2π. */
+function arcsInside(cx: number, cy: number, r: number, box: Box): [number, number][] {
+  const full = 2 * Math.PI;
+  const cuts = [0, full];
+  for (const cos of [(box.left - cx) / r, (box.right - cx) / r])
+    if (Math.abs(cos) < 1) cuts.push(Math.acos(cos), full - Math.acos(cos));
+  for (const sin of [(box.top - cy) / r, (box.bottom - cy) / r])
+    if (Math.abs(sin) < 1) cuts.push((Math.asin(sin) + full) % full, Math.PI - Math.asin(sin));
+  cuts.sort((a, b) => a - b);
+  return cuts.slice(1).flatMap((to, i): [number, number][] => {
+    const from = cuts[i]!;
+    const middle = (from + to) / 2;
+    return inside(cx + r * Math.cos(middle), cy + r * Math.sin(middle), box) ? [[from, to]] : [];
+  });
+}
+
+const patterns = new Map<string, number[]>();
+/** Returns the dashes and gaps of a line of this class, px. The list is empty if the line is solid. */
+function patternOf(style: string, shown: Element): number[] {
+  if (!patterns.has(style)) {
+    const circle = [...shown.querySelectorAll("circle.thin")].find((one) => one.getAttribute("class") === style);
+    if (!circle) return [];
+    patterns.set(style, getComputedStyle(circle).strokeDasharray.split(/[ ,]+/).map(parseFloat).filter(Number.isFinite));
+  }
+  return patterns.get(style)!;
+}
+
+/** Gives a dashed circle a pattern that consists of the visible dashes, in their places. */
+function keepDashes(circle: Element, shown: Element, box: Box, scale: number): void {
+  const pattern = patternOf(circle.getAttribute("class")!, shown);
+  if (!pattern.length) return;
+  const [cx, cy, r] = ["cx", "cy", "r"].map((name) => Number(circle.getAttribute(name))) as [number, number, number];
+  const period = pattern.reduce((sum, one) => sum + one, 0);
+  const list = [0];
+  let at = 0; // number of the period after the last visible one
+  let gap = 0; // px, from the last dash to this period
+  for (const [from, to] of arcsInside(cx, cy, r, grown(box, kStrokes))) {
+    const first = Math.max(at, Math.floor((from * r * scale) / period));
+    gap += (first - at) * period;
+    for (at = first; at * period < to * r * scale; ++at) {
+      list.push(gap, ...pattern.slice(0, -1));
+      gap = pattern.at(-1)!;
+    }
+  }
+  const rest = 2 * Math.PI * r * scale - at * period;
+  list.push(gap + Math.max(0, rest) + period);
+  circle.setAttribute("style", `stroke-dasharray:${list.map((one) => Number(one.toFixed(3))).join(" ")}`);
+}
