@@ -250,7 +250,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
   answer.why_none = "no drive satisfies all limits";
   answer.listing = [found, units = spec.units()] { return drives_listing(*found, units); };
-  return in_units_of(spec, std::move(answer));
+  return answer;
 }
 
 }  // namespace gearwright
