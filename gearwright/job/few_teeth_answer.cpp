@@ -136,7 +136,7 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
 
 std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d) {
   for (const int which : {1, 2}) {
-    const Gear& gear = d.pair.gears[static_cast<std::size_t>(which - 1)];
+    const Gear& gear = d.pair.gears[which - 1];
     const auto& bore = spec.gear(which).bore;
     if (!bore) continue;
     auto error = body_error(gear, bore);
