@@ -22,7 +22,7 @@ import subprocess
 import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-VERBS = "gear pair contact compensate propose load rate measure identify fit drive scatter".split()
+VERBS = "gear pair contact compensate propose load rate measure identify fit drive scatter search".split()
 FORMATS = {"text": [], "json": ["--json"], "csv": ["--csv"]}
 SLOW = {("compensate", "loaded_pair")}  # takes minutes
 
@@ -65,7 +65,7 @@ def files(binary, example):
 
 
 def help_texts(binary):
-    verbs = [*VERBS, "run", "outline", "export", "search", "verify", "schema", "batch"]
+    verbs = [*VERBS, "run", "outline", "export", "verify", "schema", "batch"]
     asked = [["--help"], ["schema"], ["schema", "result"], *([v, "--help"] for v in verbs)]
     with tempfile.TemporaryDirectory() as folder:
         return [line(" ".join(a), *outcome(binary, a, folder)) for a in asked]

@@ -132,13 +132,21 @@ void CommandLine::add_answering() {
       sub->add_flag_callback(
           "--take", [&o] { o.take = 1; }, row.take_meaning);
     if (row.take == Verb::Take::number)
-      sub->add_option("--take", o.take, row.take_meaning)->check(CLI::Range(1, 1000));
+      sub->add_option("--take", o.take, row.take_meaning)->check(CLI::Range(1, kMostTaken));
   }
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
       "Describe the same teeth by another rack with the given module and pressure angle, "
       "MODULE,ANGLE; one of the two values may be empty");
   add_study_options(app_.get_subcommand("scatter"), study_);
+  CLI::App* search = app_.get_subcommand("search");
+  add_search_options(search, search_);
+  work_[search] = [this, &o] {  // a search may have a folder, which only programs know
+    search_.spec = o.spec;
+    search_.json = o.json;
+    search_.take = o.take;
+    return run_search_verb(search_);
+  };
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
       "--expand", [&o] { o.expand = true; },
@@ -173,8 +181,6 @@ void CommandLine::add_answering() {
 
 void CommandLine::add_files() {
   Options& o = options_;
-  work_[add_search(app_, search_)] = [this] { return run_search_verb(search_); };
-
   CLI::App* files =
       json_verb("export", "CAD files of one gear, or of both gears in place",
                 "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb",
@@ -355,7 +361,7 @@ int CommandLine::run(std::vector<std::string> words) {
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;
   }
-  return guarded(work_.at(app_.get_subcommands().front()), options_.json || search_.json);
+  return guarded(work_.at(app_.get_subcommands().front()), options_.json);
 }
 
 }  // namespace gearwright::apps

@@ -45,7 +45,7 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
   } else if (csv) {
     print(answer.csv());
   } else if (json) {
-    print_json(answer_json(answer));
+    print(answer_json_text(answer));
   } else {
     print(answer_text(answer));
   }

@@ -18,26 +18,18 @@
 
 namespace gearwright::apps {
 
-CLI::App* add_search(CLI::App& app, SearchCommand& c) {
-  CLI::App* sub =
-      app.add_subcommand("search",
-                         "All designs that satisfy the table [search] of the spec, ranked, with "
-                         "the region of feasible profile shifts of each design");
-  sub->footer(
-      "Example:\n"
-      "  gearwright search examples/gearbox_search.toml --out found\n"
-      "  gearwright search examples/gearbox_search.toml --take 1 > pair.toml\n"
-      "  gearwright search wide.toml --out wide --shard 3/8     on each of eight machines");
+CLI::App* add_campaign(CLI::App& app, const char* name, const char* what, CampaignCommand& c) {
+  CLI::App* sub = app.add_subcommand(name, what);
   sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
-  sub->add_option(
-         "SPEC", c.spec,
-         "The spec file in TOML, or in JSON if its name ends in .json; - is standard input")
+  sub->add_option("SPEC", c.spec, "The spec file in TOML, or in JSON if its name ends in .json")
       ->required();
+  return sub;
+}
+
+void add_search_options(CLI::App* sub, SearchCommand& c) {
   sub->add_option("--out", c.out,
                   "Folder for search.parquet, best.csv, search.json, report.html, and for the "
                   "chunks of a large search");
-  sub->add_option("--take", c.take, "Print the spec of the design with this rank and nothing else")
-      ->check(CLI::Range(1, 1000000));
   sub->add_option("--top", c.top, "Number of designs to list; search.parquet contains all designs")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_flag("--resume", c.resume, "Continue the search in --out");
@@ -51,7 +43,6 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 24));
   sub->add_option("--threads", c.threads, "Number of threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
-  return sub;
 }
 
 namespace {
@@ -134,7 +125,7 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
     return answer_drive_search(spec, top, c.threads, progress);
   });
   if (!answer) return fail(spelled(answer.error(), spec.given), c.json, &text);
-  const auto error = print_answer(*answer, c.json, false, c.take);
+  const auto error = print_answer(in_units_of(spec, *answer), c.json, false, c.take);
   return error ? fail(*error, c.json) : 0;
 }
 
@@ -164,7 +155,6 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   // design contains no region. A table contains the regions of its rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
-  options.folder = text->folder;
   options.chunk = c.chunk;
   options.threads = threads_of(c, together);
   options.stop = &stop_wanted;

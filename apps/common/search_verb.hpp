@@ -58,7 +58,13 @@ struct SearchCommand : CampaignCommand {
   std::optional<std::int64_t> chunk;
 };
 
-CLI::App* add_search(CLI::App& app, SearchCommand& command);
+inline constexpr int kMostTaken = 1'000'000;  ///< greatest number that --take accepts
+
+/// Adds the options for the folder, the size and the threads of a search.
+void add_search_options(CLI::App* sub, SearchCommand& command);
+
+/// Adds a verb to a program that supports it only in a folder, with its options --json and SPEC.
+CLI::App* add_campaign(CLI::App& app, const char* name, const char* what, CampaignCommand& command);
 
 /// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
@@ -75,9 +81,6 @@ struct StudyCommand : CampaignCommand {
 };
 
 void add_study_options(CLI::App* sub, StudyCommand& command);
-
-/// Adds the verb `scatter` to a program that supports it only for the designs of a search.
-CLI::App* add_study(CLI::App& app, StudyCommand& command);
 
 /// Returns the exit status.   Throws  IoError
 int run_study_verb(const StudyCommand& command, const SpecText& text,

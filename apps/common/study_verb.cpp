@@ -31,16 +31,6 @@ void add_study_options(CLI::App* sub, StudyCommand& c) {
       ->check(CLI::Range(1, 1024));
 }
 
-CLI::App* add_study(CLI::App& app, StudyCommand& c) {
-  CLI::App* sub = app.add_subcommand(
-      "scatter",
-      "Effect of the tolerances in [scatter] on the designs of a search, with a ranking");
-  sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
-  sub->add_option("SPEC", c.spec, "The spec of the search, with [scatter]")->required();
-  add_study_options(sub, c);
-  return sub;
-}
-
 namespace {
 
 int print_unfinished(const StudyCommand& c, const StudyRun& run) {
@@ -86,7 +76,6 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
   if (const auto error = only_in_mm(*spec, "the study of the designs of a search"))
     return failed(*error);
   options.designs = c.designs;
-  options.folder = text.folder;
   options.top = c.top;
   options.threads = threads_of(c, together);
   std::atomic<std::int64_t> done{0}, of{0};

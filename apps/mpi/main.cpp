@@ -18,6 +18,9 @@
 
 #include "apps/common/search_verb.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/job/verbs.hpp"
+
+using namespace gearwright::apps;
 
 namespace {
 
@@ -63,14 +66,20 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 
-  gearwright::apps::SearchCommand command;
-  gearwright::apps::StudyCommand study;
+  SearchCommand command;
+  StudyCommand study;
   CLI::App app("Gearwright: the design search, and the scatter of its designs, on many ranks.",
                "gearwright-mpi");
   app.set_version_flag("--version", std::string("gearwright-mpi ") + gearwright::kVersion);
   app.require_subcommand(1);
-  gearwright::apps::add_search(app, command);
-  gearwright::apps::add_study(app, study);
+  const gearwright::Verb& row = *gearwright::find_verb("search");
+  CLI::App* search = add_campaign(app, row.name, row.meaning, command);
+  search->add_option("--take", command.take, row.take_meaning)->check(CLI::Range(1, kMostTaken));
+  add_search_options(search, command);
+  CLI::App* scatter = add_campaign(
+      app, "scatter",
+      "Effect of the tolerances in [scatter] on the designs of a search, with a ranking", study);
+  add_study_options(scatter, study);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -84,7 +93,7 @@ int main(int argc, char** argv) {
   // because the other ranks may be waiting for this rank.
   auto queue = std::make_unique<Queue>();
   try {
-    gearwright::apps::Together together;
+    Together together;
     together.rank = rank;
     together.ranks = ranks;
     together.next_chunk = [&] { return queue->draw(); };
@@ -98,8 +107,8 @@ int main(int argc, char** argv) {
       return rank == 0;
     };
     if (provided < MPI_THREAD_SERIALIZED) command.threads = study.threads = 1;
-    status = app.got_subcommand("scatter") ? gearwright::apps::run_study_verb(study, &together)
-                                           : gearwright::apps::run_search_verb(command, &together);
+    status = app.got_subcommand("scatter") ? run_study_verb(study, &together)
+                                           : run_search_verb(command, &together);
   } catch (const std::exception& e) {
     // The other ranks wait for this rank, so they must also be ended.
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";

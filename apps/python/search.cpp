@@ -65,7 +65,6 @@ FoundPtr search(const py::object& given, const std::optional<long long>& top, in
   options.out = path_or_none(out, "out").value_or("");
   options.resume = resume;
   options.yes_large = yes_large;
-  options.folder = found->text.folder;
   if (top) options.top = static_cast<std::size_t>(*top);
   options.threads = threads;
   options.stop = &watched.stop;
@@ -165,7 +164,6 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
   for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
   const JobSpec spec = value_or_raise(read_spec_tree(tree, found.text.folder));
   StudyOptions options;
-  options.folder = found.text.folder;
   options.threads = threads;
   if (top) options.top = static_cast<std::size_t>(*top);
   for (const DesignRow& row : found.run.answer.designs)

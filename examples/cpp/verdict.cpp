@@ -17,7 +17,7 @@ int main() {
   wheel.teeth = 43;
   GivenPair given;
   given.gears = {GearInput::of(pinion), GearInput::of(wheel)};
-  given.gear(2).profile_shift.reset();  // follows from the centre distance
+  given.gear(2).shift_given = false;  // follows from the centre distance
   given.pair.center_distance = 60;
   given.pair.distance_tolerance = "JS7";
   const Result<Arranged> pair = arrange(given);

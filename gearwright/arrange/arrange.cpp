@@ -66,7 +66,7 @@ Result<bool> begin_gears(GivenPair& given) {
   for (const int which : {1, 2}) {
     if (!given.has(which)) continue;
     GearInput& gear = given.gear(which);
-    gear.cylindrical.profile_shift = gear.profile_shift.value_or(0.0);
+    if (!gear.shift_given) gear.cylindrical.profile_shift = 0.0;
     if (!gear.cut_by) gear.complete_face_width();
     clear_tips = clear_tips || gear.tip_clearance || gear.tip_clearance_by_rule;
     if (auto error = check_limits(gear.cylindrical)) return of_given_gear(*error, given, which);
@@ -98,7 +98,7 @@ std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear&
   std::optional<double> least;
   double steps = steps_for(spec.thickness_allowance);
   for (int i = 0; i < kTries; ++i) {
-    given.gear(which).profile_shift = steps / kDigits;
+    given.gear(which).give_shift(steps / kDigits);
     const auto made = arrange_nominal(given, Scope::gears);
     if (!made) break;
     const bool free = !made->gear(which).undercut;

@@ -34,8 +34,8 @@ ShiftProblem shift_problem(const GivenPair& given) {
   p.normal_pressure_angle = c1.normal_pressure_angle;
   p.helix_angle = {c1.helix_angle, c2.helix_angle};
   if (axes_cross(given)) p.shaft_angle = given.pair.shaft_angle.value_or(Angle());
-  p.x1 = given.gears[0]->profile_shift;
-  p.x2 = given.gears[1]->profile_shift;
+  p.x1 = given.gears[0]->given_shift();
+  p.x2 = given.gears[1]->given_shift();
   if (!given.pair.center_distance) {
     p.x1 = p.x1.value_or(0.0);
     p.x2 = p.x2.value_or(0.0);
@@ -120,7 +120,7 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
       "requires two gears of the same module and pressure angle; for different racks, give both "
       "profile shifts and the centre distance";
   if (shift_wanted) {
-    return absent_input(gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
+    return absent_input(gear_field(given.gears[0]->shift_given ? 2 : 1, "profile_shift"),
                         "; its computation from the centre distance " + why);
   }
   if (given.pair.mounting == Mounting::extended) return Error{"pair.mounting", "extended", why};
@@ -133,13 +133,13 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (subject_of(error.field).member != GearMember::profile_shift) return error;
   const auto size = [&](std::size_t i) {
-    const auto& x = given.gears[i]->profile_shift;
+    const auto x = given.gears[i]->given_shift();
     return x ? std::abs(*x) : -1.0;
   };
   const std::size_t i = size(1) > size(0) ? 1 : 0;
   if (size(i) < 0.0) return error;
   return {gear_field(static_cast<int>(i) + 1, "profile_shift"),
-          format_number(*given.gears[i]->profile_shift), error.rule};
+          format_number(given.gears[i]->cylindrical.profile_shift), error.rule};
 }
 
 // Gears with the same hand and the same helix angle β have axes that cross at 2 β. If no shaft
@@ -203,7 +203,7 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (!found) return of_given_shift(found.error(), given);
     ShiftSolution shifts = std::move(found).take();
     const bool ring = given.gears[1]->cylindrical.teeth < 0;
-    if (ring && shift_wanted && !given.gears[0]->profile_shift && !given.gears[1]->profile_shift)
+    if (ring && shift_wanted && !given.gears[0]->shift_given && !given.gears[1]->shift_given)
       avoid_undercut(given, shifts);
     given.gears[0]->cylindrical.profile_shift = shifts.x1;
     given.gears[1]->cylindrical.profile_shift = shifts.x2;

@@ -87,7 +87,7 @@ std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutt
   if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // mount() reports this error later
   const double sum =
       tight_shift_sum(z, z_m, c.normal_module, c.normal_pressure_angle.rad(), alpha_t, cos_beta, a);
-  return sum - mate->profile_shift.value_or(0.0);
+  return sum - mate->cylindrical.profile_shift;
 }
 
 Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which) {
@@ -105,7 +105,7 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
                     format_number(x_0)),
         e.error());
   }
-  if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);
+  if (const auto x = gear.given_shift()) return generating_distance(cutter, z, *x);
   if (cut.gear != 0 && given.pair.center_distance) return *given.pair.center_distance;
   if (const auto x = shift_at_distance(given, cutter, which))
     return generating_distance(cutter, z, *x);
@@ -119,7 +119,7 @@ Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec sp
   auto nominal = make_pinion_cut_gear(cutter, spec);
   const double wanted = gear.cylindrical.thickness_allowance;
   if (!nominal || gear.cut_by->gear != 0 || wanted == 0.0) return nominal;
-  spec.profile_shift = gear.profile_shift.value_or(nominal->spec.profile_shift);
+  spec.profile_shift = gear.given_shift().value_or(nominal->spec.profile_shift);
   const auto made_with = [&](double allowance) -> Result<Gear> {
     spec.thickness_allowance = allowance;
     const auto e = generating_distance(cutter, spec.teeth,
@@ -176,9 +176,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   CutByInput& cut = *gear.cut_by;
   std::optional<Gear> own;
   if (cut.gear == 0) {
-    CylindricalSpec c = cut.cutter->cylindrical;
-    c.profile_shift = cut.cutter->profile_shift.value_or(0.0);
-    auto cutter = make_gear(c);
+    auto cutter = make_gear(cut.cutter->cylindrical);
     if (!cutter) return of_given_gear(within("cut_by", cutter.error()), given, which);
     own = std::move(cutter).take();
   }
@@ -192,7 +190,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   const double face =
       gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
   const bool by_distance =
-      cut.gear != 0 && given.pair.center_distance && !cut.profile_shift_pair && !gear.profile_shift;
+      cut.gear != 0 && given.pair.center_distance && !cut.profile_shift_pair && !gear.shift_given;
   auto result = made_at(cutter, gear,
                         {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
   if (!result) {
@@ -211,7 +209,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   if (own) note_cutter_tip(cut_gear, *own);
   gear.cylindrical = cut_gear.spec;
   gear.helix_given = true;
-  gear.profile_shift = cut_gear.spec.profile_shift;
+  gear.shift_given = true;
   if (cut.gear != 0 && !given.pair.center_distance) given.pair.center_distance = *distance;
   return std::nullopt;
 }
@@ -249,8 +247,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
     }
     GearInput& gear = given.gear(which);
     if (!is_cut(3 - which) || given.gear(3 - which).cut_by->gear != which) continue;
-    gear.profile_shift = gear.profile_shift.value_or(0.0);
-    gear.cylindrical.profile_shift = *gear.profile_shift;
+    gear.shift_given = true;
     auto cutter = make_gear(gear.cylindrical);
     if (!cutter) return of_given_gear(cutter.error(), given, which);
     made[static_cast<std::size_t>(which - 1)] = std::move(cutter).take();
@@ -298,12 +295,12 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
     // raises the root, the error names the allowance. In all other cases the error names the
     // profile shift or, if no shift is given, the addendum of the rack.
     const double allowance = gear.cylindrical.thickness_allowance;
-    const std::string from = allowance > 0.0      ? "thickness_allowance"
-                             : gear.profile_shift ? "profile_shift"
-                                                  : "rack.addendum";
+    const std::string from = allowance > 0.0    ? "thickness_allowance"
+                             : gear.shift_given ? "profile_shift"
+                                                : "rack.addendum";
     const double value = allowance > 0.0
                              ? allowance
-                             : gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
+                             : gear.given_shift().value_or(addendum_of(gear.cylindrical.rack));
     return following_from(gear_field(which, from), format_number(value), "this value requires",
                           of_gear(which, std::move(error)));
   }
@@ -347,7 +344,7 @@ Error of_clearance(const Error& error, const GivenPair& given, int which) {
 Error of_distance(const Error& error, const GivenPair& given) {
   const auto [which, member] = subject_of(error.field);
   if (which == 0 || member != GearMember::profile_shift || !given.pair.center_distance ||
-      given.gear(which).profile_shift)
+      given.gear(which).shift_given)
     return error;
   Error made = following_from("pair.center_distance", format_number(*given.pair.center_distance),
                               "this value requires", error);

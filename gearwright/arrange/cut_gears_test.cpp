@@ -15,7 +15,7 @@ namespace {
 GearInput shaped(int teeth, int cutter_teeth, double x = 0.0) {
   GearInput gear =
       GearInput::of(testing::plain_spec({.teeth = teeth, .module = 2, .face_width = 20.0}));
-  gear.profile_shift = x;
+  gear.give_shift(x);
   gear.cut_by.emplace().cutter = std::make_shared<GearInput>(
       GearInput::of(testing::plain_spec({.teeth = cutter_teeth, .module = 2, .face_width = 20.0})));
   return gear;

@@ -104,14 +104,14 @@ struct ToleranceInput {
   bool says_thickness() const { return series || span || over_balls; }
 };
 
-/// The input for one gear. `profile_shift` is the given shift. arrange() writes the resulting shift
-/// to `cylindrical.profile_shift`.
+/// The input for one gear. If no profile shift is given, arrange() writes the computed shift to
+/// `cylindrical.profile_shift`.
 struct GearInput {
   CylindricalSpec cylindrical;
-  std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< if false, the helix angle is 0, except that the verb
-                                        ///< `fit` computes it
-  bool hand_given = false;              ///< true if the hand is given as a word, not as a sign
+  bool shift_given = false;       ///< if false, the profile shift is computed
+  bool helix_given = false;       ///< if false, the helix angle is 0, except that the verb `fit`
+                                  ///< computes it
+  bool hand_given = false;        ///< true if the hand is given as a word, not as a sign
   bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
                                   ///< section
   bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
@@ -131,16 +131,24 @@ struct GearInput {
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
   /// Returns the input for a gear with a complete spec. Only the face width may be absent, which is
-  /// indicated by the value 0. To have the profile shift computed by arrange(), the caller resets
-  /// `profile_shift` in the returned input.
+  /// indicated by the value 0. To have the profile shift computed by arrange(), the caller sets
+  /// `shift_given` to false in the returned input.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;
-    gear.profile_shift = spec.profile_shift;
+    gear.shift_given = true;
     gear.helix_given = true;
     gear.face_width_given = spec.face_width > 0;
     gear.rack_given = true;
     return gear;
+  }
+
+  void give_shift(double x) {
+    cylindrical.profile_shift = x;
+    shift_given = true;
+  }
+  std::optional<double> given_shift() const {
+    return shift_given ? std::optional(cylindrical.profile_shift) : std::nullopt;
   }
 
   void complete_face_width() {

@@ -30,7 +30,7 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
     const auto& gears = arranged.given->gears;
     const auto& pair = arranged.given->pair;
     const bool absent =
-        arranged.pair->involute() && !(gears[0]->profile_shift && gears[1]->profile_shift);
+        arranged.pair->involute() && !(gears[0]->shift_given && gears[1]->shift_given);
     judged.shifts_follow = shifts_follow(*arranged.given);
     judged.distance_sets_shifts = absent && !pair.center_distance;
   }
@@ -184,7 +184,7 @@ bool change_gear(GivenPair& given, const SpecChange& change) {
   GearInput& gear = given.gear(change.gear);
   const bool has_rack = !gear.basic && !gear.cut_by;
   switch (change.what) {
-    case Adjustable::profile_shift: gear.profile_shift = change.value; return has_rack;
+    case Adjustable::profile_shift: gear.give_shift(change.value); return has_rack;
     case Adjustable::tip_diameter:
       gear.cylindrical.tip_diameter = change.value;
       return !gear.cylindrical.tip_fillet && !gear.tip_clearance && !gear.tip_clearance_by_rule;

@@ -21,7 +21,7 @@ std::string chosen_shifts(const GivenPair& given) {
   std::string text;
   for (const int which : {1, 2}) {
     const GearInput& gear = given.gear(which);
-    if (gear.profile_shift) continue;
+    if (gear.shift_given) continue;
     text +=
         fmt::format("{}`{}` = {}", text.empty() ? "" : " and ", gear_field(which, "profile_shift"),
                     format_number(gear.cylindrical.profile_shift));
@@ -33,13 +33,13 @@ std::string chosen_shifts(const GivenPair& given) {
 
 bool shifts_follow(const GivenPair& given) {
   const auto& [one, two] = given.gears;
-  return one && two && given.pair.center_distance && !(one->profile_shift && two->profile_shift);
+  return one && two && given.pair.center_distance && !(one->shift_given && two->shift_given);
 }
 
 std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
-      gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
+      gear_field(given.gears[0]->shift_given ? 2 : 1, "profile_shift"),
       fmt::format(" and is not computed, because `pair.choose_profile_shifts` = false. For "
                   "`pair.center_distance` = {} mm, the default would be {}. Give the profile "
                   "shifts, which determine the backlash",
@@ -52,7 +52,7 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
   constexpr double kNoSum = 1e-6;      // modules; a smaller sum of the shifts counts as 0
   double greatest = 0.0;
   for (const auto& gear : given.gears)
-    if (!gear->profile_shift)
+    if (!gear->shift_given)
       greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
   if (greatest < kRounding) return std::nullopt;
   // If the sum is 0, gears without profile shift have the same centre distance. The user may
@@ -60,7 +60,7 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
   const double sum =
       given.gears[0]->cylindrical.profile_shift + given.gears[1]->cylindrical.profile_shift;
   const bool standard =
-      !given.gears[0]->profile_shift && !given.gears[1]->profile_shift && std::abs(sum) < kNoSum;
+      !given.gears[0]->shift_given && !given.gears[1]->shift_given && std::abs(sum) < kNoSum;
   return Warning{
       WarningCode::profile_shifts_chosen,
       fmt::format("For the centre distance a = {} mm these profile shifts were chosen: {}.{}",

@@ -151,7 +151,7 @@ std::optional<Error> check_tips(const GivenPair& given) {
 // of the nominal gear is removed, so that a new tip diameter is computed.
 void follow_nominal(const Arranged& nominal, std::size_t i, GearInput& gear) {
   if (!gear.cut_by && nominal.gears[i].involute()) {
-    gear.profile_shift = nominal.gears[i].spec.profile_shift;
+    gear.give_shift(nominal.gears[i].spec.profile_shift);
   } else if (gear.cut_by && !nominal.given->gears[i]->cylindrical.tip_diameter) {
     gear.cylindrical.tip_diameter.reset();
   }

@@ -124,7 +124,8 @@ const KeyTable& gear_keys() {
            .with_also({"helix_hand", "helix_direction", "direction"}),
        Key::number(
            "profile_shift", "x", KeyRange::between(-kMaxShift, kMaxShift),
-           &GearInput::profile_shift, "see *Shift and centre distance*",
+           KeyPlace::by<GearInput, double>([](GearInput& g, double x) { g.give_shift(x); }),
+           "see *Shift and centre distance*",
            "profile shift in normal modules; > 0 thickens the tooth, also for an internal gear")
            .with_also({"shift", "profile_shift_coefficient", "addendum_modification",
                        "addendum_modification_coefficient", "correction"}),

@@ -130,7 +130,7 @@ void add_rack(DataGroup& group, const SolvedJob& job, int which, const Records& 
 
 DataGroup teeth(const SolvedJob& job, int which, const Records& r) {
   const Gear& gear = job.gear(which);
-  const auto& halves = job.halves[static_cast<std::size_t>(which - 1)];
+  const auto& halves = job.halves[which - 1];
   DataGroup group{gear.involute() ? "Gear data by DIN 3966-1, symbols of ISO 21771"
                                   : "Gear data, symbols of ISO 21771",
                   {}};

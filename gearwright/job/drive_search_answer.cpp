@@ -1,7 +1,6 @@
 #include "gearwright/job/drive_answer.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,7 +8,6 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/design/search_problem.hpp"
-#include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -91,12 +89,6 @@ std::string advice(const FoundDrives& f) {
       f.problem.base.backlash.all ? "a smaller backlash_mm or " : "");
 }
 
-std::string shifts_text(const FoundDrive& d) {
-  std::vector<std::string> list;
-  for (const auto& x : d.drive.geometry.shift) list.push_back(x ? fixed_decimals(*x, 4) : "-");
-  return fmt::format("{}", fmt::join(list, " "));
-}
-
 std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   const DriveDesigns& designs = f.designs;
   std::string text =
@@ -168,28 +160,6 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         "writes the spec of one design",
         designs.list.size() - kListedDrives));
   return text;
-}
-
-std::string drives_csv(const FoundDrives& f, UnitSystem units) {
-  constexpr const char* kColumns[] = {"ratio",         "efficiency",   "efficiency_backward",
-                                      "size_mm",       "size_modules", "normal_module_mm",
-                                      "face_width_mm", "safety_flank", "safety_root",
-                                      "noise",         "mass_kg"};
-  std::string out = "teeth,planets,profile_shift";
-  for (const char* key : kColumns) out += "," + key_in(units, key);
-  out += "\r\n";
-  for (const FoundDrive& d : f.designs.list) {
-    const Json row = in_units(units, to_json(found_drive_quantities().of(d)));
-    out += csv_cell(Value(teeth_text(d.candidate))) + ",";
-    if (d.candidate.stages.empty()) out += std::to_string(d.candidate.planets);
-    out += "," + shifts_text(d);
-    for (const char* key : kColumns) {
-      const Json& value = row[key_in(units, key)];
-      out += "," + (value.is_null() ? "" : json_text(value));
-    }
-    out += "\r\n";
-  }
-  return out;
 }
 
 // True if `search.material` is a table of members that contains this member.
@@ -280,8 +250,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
   answer.why_none = "no drive satisfies all limits";
   answer.listing = [found, units = spec.units()] { return drives_listing(*found, units); };
-  answer.csv = [found, units = spec.units()] { return drives_csv(*found, units); };
-  return in_units_of(spec, std::move(answer));
+  return answer;
 }
 
 }  // namespace gearwright

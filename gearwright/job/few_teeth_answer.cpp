@@ -71,7 +71,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     return Error{
         "gear2.root_fillet", "",
         "is determined by the pinion, which cuts the root of the wheel; leave out this key"};
-  if (wheel.profile_shift) return refused("gear2.profile_shift", *wheel.profile_shift, kChosen);
+  if (const auto x = wheel.given_shift()) return refused("gear2.profile_shift", *x, kChosen);
   if (pinion.teeth < 0) return internal_gear_1(pinion.teeth, teeth.teeth);
   if (const auto& sigma = spec.pair.shaft_angle; sigma && sigma->rad() != 0.0)
     return refused(
@@ -136,7 +136,7 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
 
 std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d) {
   for (const int which : {1, 2}) {
-    const Gear& gear = d.pair.gears[static_cast<std::size_t>(which - 1)];
+    const Gear& gear = d.pair.gears[which - 1];
     const auto& bore = spec.gear(which).bore;
     if (!bore) continue;
     auto error = body_error(gear, bore);
@@ -167,9 +167,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
   if (auto error = out_of_place(spec)) return *error;
   const GearInput& g1 = *spec.gears[0];
   const GearInput& g2 = *spec.gears[1];
-  CylindricalSpec limits = g1.cylindrical;
-  limits.profile_shift = g1.profile_shift.value_or(0.0);
-  if (auto error = check_limits(limits)) return of_gear(1, *error);
+  if (auto error = check_limits(g1.cylindrical)) return of_gear(1, *error);
   FewTeethProblem p;
   p.progress = progress;
   p.teeth = {g1.cylindrical.teeth, g2.cylindrical.teeth};
@@ -177,7 +175,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
   p.normal_pressure_angle = g1.cylindrical.normal_pressure_angle;
   if (g1.helix_given) p.helix = g1.cylindrical.helix_angle;
   p.center_distance = spec.pair.center_distance;
-  p.pinion_shift = g1.profile_shift;
+  p.pinion_shift = g1.given_shift();
   const double m = p.normal_module;
   p.rack = g1.cylindrical.straight_rack();
   p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;

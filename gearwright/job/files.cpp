@@ -193,7 +193,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which) {
                         "number of teeth of the cutter, or \"gear1\" for the mating gear");
   }
   if (!gear.exists()) return within(name, gear.why_not());
-  auto made = body_as_made(gear, name, job.halves[static_cast<std::size_t>(which - 1)], which,
+  auto made = body_as_made(gear, name, job.halves[which - 1], which,
                            job.completed.gear(which).modifications);
   if (!made) return within(name, made.error());
   return made;

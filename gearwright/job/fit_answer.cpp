@@ -35,7 +35,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
       for (const char* key : kHelixKeys) gear.erase(key);
       gear["helix_angle_deg"] = b.helix[i].deg();
     }
-    if (!given.profile_shift) gear["profile_shift"] = b.shift[i];
+    if (!given.shift_given) gear["profile_shift"] = b.shift[i];
   }
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
@@ -100,22 +100,17 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   p.teeth = {c1.teeth, c2.teeth};
   p.normal_module = c1.normal_module;
   p.normal_pressure_angle = c1.normal_pressure_angle;
-  for (const int i : {0, 1}) {
-    CylindricalSpec c = i == 0 ? c1 : c2;
-    c.profile_shift = spec.gears[i]->profile_shift.value_or(0.0);
-    if (auto error = check_limits(c)) return of_gear(i + 1, *error);
-  }
+  for (const int i : {0, 1})
+    if (auto error = check_limits(i == 0 ? c1 : c2)) return of_gear(i + 1, *error);
   bool all = true;
-  std::array<CylindricalSpec, 2> known{c1, c2};
   for (const int i : {0, 1}) {
     const GearInput& g = *spec.gears[i];
     if (g.helix_given) p.helix[i] = g.cylindrical.helix_angle;
-    p.shift[i] = g.profile_shift;
-    all = all && g.helix_given && g.profile_shift;
-    known[i].profile_shift = g.profile_shift.value_or(0.0);
+    p.shift[i] = g.given_shift();
+    all = all && g.helix_given && g.shift_given;
   }
   if (all) {
-    p.known = known;
+    p.known = {c1, c2};
   } else if (!same(c1.normal_module, c2.normal_module) ||
              !same(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad())) {
     return refused(

@@ -227,7 +227,7 @@ std::string undecided_text(const Identification& found) {
 
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   const int which = spec.measured[0] || !spec.measured[1] ? 1 : 2;
-  const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
+  const auto& problem = spec.measured[which - 1];
   if (!problem)
     return absent_input("gear1.measured",
                         "; the command `gearwright identify` needs the number of teeth of the "

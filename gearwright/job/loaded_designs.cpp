@@ -64,10 +64,9 @@ std::size_t designs_to_load(const SearchProblem& problem, const SearchAnswer& an
   return problem.loads_designs() ? std::min(most, answer.designs.size()) : 0;
 }
 
-LoadedDesign loaded_design(const JobSpec& spec, const Search& search, const DesignRow& row,
-                           const std::filesystem::path& folder) {
+LoadedDesign loaded_design(const JobSpec& spec, const Search& search, const DesignRow& row) {
   LoadedDesign design{row.trial};
-  const auto found = loaded_noise(pair_spec(spec, search, row), folder);
+  const auto found = loaded_noise(pair_spec(spec, search, row), spec.folder);
   if (found)
     design.noise = *found;
   else
@@ -146,7 +145,7 @@ bool load_designs(const JobSpec& spec, const Search& search, const SearchOptions
       loaded.size(),
       [&](std::size_t i) {
         if (stopped()) return;
-        loaded[i] = loaded_design(spec, search, run.answer.designs[i], options.folder);
+        loaded[i] = loaded_design(spec, search, run.answer.designs[i]);
         report(1);
       },
       options.threads);

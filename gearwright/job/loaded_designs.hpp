@@ -7,7 +7,6 @@
 //                                              theory: docs/theory/09-design-search.md, 9.8
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,9 +25,8 @@ std::size_t designs_to_load(const SearchProblem& problem, const SearchAnswer& an
 /// Computes the peak-to-peak transmission error under load of one design. If the spec has several
 /// torques, the result is the greatest of the values. If the analysis has no result at some
 /// position of the pitch, the design has none either, because the remaining positions may not
-/// contain the extremes. File names in the spec are relative to `folder`.
-LoadedDesign loaded_design(const JobSpec& spec, const Search& search, const DesignRow& row,
-                           const std::filesystem::path& folder);
+/// contain the extremes.
+LoadedDesign loaded_design(const JobSpec& spec, const Search& search, const DesignRow& row);
 
 /// Stores the results in the first designs of the answer. If the noise is the first objective,
 /// these designs are sorted by the results. Designs on the Pareto front stay first, and designs

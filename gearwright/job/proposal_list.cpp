@@ -77,8 +77,7 @@ std::vector<ReliefProposal> find_reliefs(const SolvedJob& job, const LoadTask& t
       continue;
     }
     for (const int which : {1, 2})
-      if (!(*relief)->unloaded[static_cast<std::size_t>(which - 1)])
-        remarks.push_back(still_loaded(length, which));
+      if (!(*relief)->unloaded[which - 1]) remarks.push_back(still_loaded(length, which));
     found.push_back(**relief);
   }
   return found;
@@ -179,7 +178,7 @@ Json with_proposal(const Json& tree, const Proposal& p, bool gear2_drives) {
   Json made = tree;
   const bool profile = p.profile != ProposedProfile::as_given;
   for (const int which : {1, 2}) {
-    const ProposedGear& g = p.gears[static_cast<std::size_t>(which - 1)];
+    const ProposedGear& g = p.gears[which - 1];
     Json& gear = made[gear_field(which)];
     Json table = gear.value("modifications", Json::object());
     if (profile) erase(table, {"tip_relief", "root_relief", "profile_", "topography"});

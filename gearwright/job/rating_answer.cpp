@@ -44,7 +44,7 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   const auto& grades = *job.spec.rating.input.quality;
   for (const int which : {1, 2}) {
     const auto& own = job.spec.gear(which).tolerance.quality;
-    const int rated = grades[static_cast<std::size_t>(which - 1)];
+    const int rated = grades[which - 1];
     if (!own || *own == rated) continue;
     const bool inherited = which == 2 && job.spec.gear(1).tolerance.quality == own;
     if (inherited && grades[0] == rated) continue;

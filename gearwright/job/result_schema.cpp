@@ -151,9 +151,8 @@ std::vector<const QuantityTable*> result_tables() {
       &outline_quantities().table(),       &pair_quantities().table(),
       &rack_quantities().table(),          &rack_pair_quantities().table(),
       &scatter_study_quantities().table(), &drawing_quantities().table(),
-      &search_quantities().table(),        &drive_search_quantities().table(),
-      &file_quantities().table(),          &warning_quantities().table(),
-      &verdict_quantities().table()};
+      &drive_search_quantities().table(),  &file_quantities().table(),
+      &warning_quantities().table(),       &verdict_quantities().table()};
   for (const Verb& verb : verbs())
     if (verb.table != nullptr) tables.push_back(&verb.table());
   return with_inner_tables(tables);

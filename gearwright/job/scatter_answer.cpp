@@ -73,7 +73,7 @@ class Grades {
   // Returns an error if the spec gives a key that requires a grade. The function is called only for
   // gears without a grade.
   std::optional<Error> needs_grade(int which) const {
-    const ScatterGear& gear = job_.spec.scatter.gears[static_cast<std::size_t>(which - 1)];
+    const ScatterGear& gear = job_.spec.scatter.gears[which - 1];
     const char* const key = gear.pitch           ? "pitch"
                             : gear.profile_waves ? "profile_waves"
                             : gear.helix_waves   ? "helix_waves"
@@ -95,7 +95,7 @@ class Grades {
   }
 
   void add_flank(int which, const GradedFlank& f) {
-    const ScatterGear& gear = job_.spec.scatter.gears[static_cast<std::size_t>(which - 1)];
+    const ScatterGear& gear = job_.spec.scatter.gears[which - 1];
     const std::string table = gear_field(which) + ".";
     add_error(which == 1 ? VaryingError::helix_slope1 : VaryingError::helix_slope2, f.helix_slope);
     add(table + "modifications.profile_slope_um", kMmPerUm, f.profile_slope,
@@ -193,7 +193,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
     add_bearings(*input.bearings, all);
   }
   for (const int which : {1, 2}) {
-    const ScatterGear& gear = input.gears[static_cast<std::size_t>(which - 1)];
+    const ScatterGear& gear = input.gears[which - 1];
     if (auto error = add_gear(job, which, gear, all)) return *error;
   }
   for (ScatterTolerance& t : drawn_tolerances(job))

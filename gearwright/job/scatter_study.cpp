@@ -65,7 +65,7 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
                     "this spec. Use the spec of that search and add [scatter] to it",
                     listed.number, teeth_words(listed.teeth.value_or(std::array{0, 0}))),
         FailureKind::option};
-  auto pair = read_spec_tree(spec_of(spec, search, rows[0]), options.folder, SpecUse::scatter);
+  auto pair = read_spec_tree(spec_of(spec, search, rows[0]), spec.folder, SpecUse::scatter);
   if (!pair) return pair.error();
   return StudiedDesign{rows[0], std::move(pair).take()};
 }
@@ -219,7 +219,6 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options) {
     quick.top = options.top;
     quick.regions = 0;
     quick.threads = options.threads;
-    quick.folder = options.folder;
     const auto found = run_search(spec, search, quick);
     if (!found) return found.error();
     for (const DesignRow& row : found->answer.designs)

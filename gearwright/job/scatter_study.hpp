@@ -32,8 +32,6 @@ struct StudyOptions : CampaignOptions {
   std::optional<std::string> designs;  ///< file or folder of a search
   std::vector<ListedDesign> list;      ///< the designs, if they are known; without `designs` and
                                        ///< `list`, the search is run
-  std::filesystem::path folder;        ///< folder of the spec; file names in the spec are relative
-                                       ///< to it
   std::optional<std::size_t> top;      ///< greatest number of designs; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
   Progress* progress = nullptr;        ///< counts the samples of one design

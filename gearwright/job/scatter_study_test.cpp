@@ -111,7 +111,6 @@ TEST(ScatterStudy, TheContentsOfATopographyBelongToTheStudy) {
   tree["gear1"]["modifications"] = {{"topography", "flank.csv"}};
   tree["scatter"]["gear1"].erase("modifications");
   StudyOptions options;
-  options.folder = scratch.path();
   options.out = scratch.path() / "study";
   options.top = 1;
   measured(2);

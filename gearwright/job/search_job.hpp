@@ -45,8 +45,6 @@ struct SearchOptions : CampaignOptions {
                                        ///< size of the search
   std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
-  std::filesystem::path folder;        ///< folder of the spec; file names in the spec are relative
-                                       ///< to it
   /// This function is called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
   /// If the caller sets this to true, the search ends at once and discards unfinished chunks.

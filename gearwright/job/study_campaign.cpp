@@ -17,7 +17,7 @@ constexpr std::int64_t kMostChunks = 4096;  // greatest number of chunks; with f
 
 // Returns the checksums of the files that the modifications name. The spec contains only the names
 // of these files.
-std::string files_fingerprint(const JobSpec& spec, const std::filesystem::path& folder) {
+std::string files_fingerprint(const JobSpec& spec) {
   std::string lines;
   for (const char* gear : {"gear1", "gear2"}) {
     const Json& tables = spec.tree->tables;
@@ -25,17 +25,17 @@ std::string files_fingerprint(const JobSpec& spec, const std::filesystem::path& 
     for (const auto& [key, value] : tables[gear]["modifications"].items())
       if (key.ends_with("topography") && value.is_string())
         lines += fmt::format("{}.modifications.{} has the checksum {:08x}\n", gear, key,
-                             crc32_of(text_of_file(folder / value.get<std::string>())));
+                             crc32_of(text_of_file(spec.folder / value.get<std::string>())));
   }
   return lines;
 }
 
 std::string study_fingerprint(const JobSpec& spec, const std::vector<ListedDesign>& list,
-                              std::int64_t chunk, const std::filesystem::path& folder) {
+                              std::int64_t chunk) {
   std::string numbers;
   for (const ListedDesign& d : list) numbers += fmt::format("{} {}\n", d.number, d.trial);
   return search_fingerprint(spec, chunk, {"rating", "errors", "contact", "load", "scatter"}) +
-         files_fingerprint(spec, folder) +
+         files_fingerprint(spec) +
          fmt::format("designs = {}\nlist of designs = {:08x}\n", list.size(), crc32_of(numbers));
 }
 
@@ -48,8 +48,8 @@ Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
   const std::int64_t chunk = (all + kMostChunks - 1) / kMostChunks;
   const std::int64_t chunks = (all + chunk - 1) / chunk;
   const auto size_of = [&](std::int64_t c) { return std::min(chunk, all - c * chunk); };
-  auto opened = open_campaign({study_fingerprint(spec, list, chunk, options.folder), chunks},
-                              {"refused"}, options, std::nullopt);
+  auto opened = open_campaign({study_fingerprint(spec, list, chunk), chunks}, {"refused"}, options,
+                              std::nullopt);
   if (!opened) return opened.error();
   StudyRun run;
   run.of = all;

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/job/csv_answer.hpp"
@@ -19,49 +22,68 @@ namespace gearwright {
 
 namespace {
 
-// A column with its headings in CSV and in a terminal, and with the path of its value in a row. In
-// this path, % stands for the index of the percentile by which the designs are ranked.
+// A column with its heading in CSV and the path of its value in a row. In this path, % stands for
+// the index of the percentile by which the designs are ranked. The other texts are those of the
+// quantity at the path.
 struct StudyColumn {
   const char* csv;
-  const char* head;  ///< empty if only CSV has the column
   const char* place;
-  int digits;  ///< decimals; if negative, as many as needed
-  double factor;
-  const char* unit;
-  const char* meaning;
+  int digits = -1;             ///< decimals; if negative, as many as needed
+  const char* head = nullptr;  ///< heading in a terminal, by default the symbol
+  bool shown = true;           ///< false if only CSV has the column
+  bool share = false;          ///< true if a terminal shows the value as a percentage
 };
 constexpr StudyColumn kColumns[] = {
-    {"design", "design", "/design", -1, 1, "", "rank in the search, as in search --take"},
-    {"module_mm", "m_n", "/module_mm", -1, 1, "mm", "normal module"},
-    {"z1", "z1", "/teeth/0", -1, 1, "", "teeth of gear 1"},
-    {"z2", "z2", "/teeth/1", -1, 1, "", "teeth of gear 2"},
-    {"helix1_deg", "β", "/helix_angle_deg/0", -1, 1, "°", "helix angle of gear 1"},
-    {"helix2_deg", "", "/helix_angle_deg/1", -1, 1, "°", ""},
-    {"x1", "x1", "/profile_shift/0", 4, 1, "", "profile shift of gear 1"},
-    {"x2", "x2", "/profile_shift/1", 4, 1, "", "profile shift of gear 2"},
-    {"center_distance_mm", "a", "/center_distance_mm", 4, 1, "mm", "centre distance"},
-    {"face_width_mm", "", "/face_width_mm", -1, 1, "mm", ""},
-    {"percentile_arcsec", "%", "/peak_to_peak_arcsec/percentiles/%", 4, 1, "″",
-     "percentile of the peak-to-peak transmission error, by which the designs are ranked"},
-    {"percentile_lower_arcsec", "from", "/peak_to_peak_arcsec/lower/%", 4, 1, "″",
-     "lower end of the confidence interval of the percentile"},
-    {"percentile_upper_arcsec", "to", "/peak_to_peak_arcsec/upper/%", 4, 1, "″",
-     "upper end of the confidence interval of the percentile"},
-    {"mean_arcsec", "mean", "/peak_to_peak_arcsec/mean", 4, 1, "″",
-     "mean of the peak-to-peak transmission error"},
-    {"edge_contact", "edge", "/probability/edge_contact/value", 1, 100, "%",
-     "share of the samples in which an edge touches"},
-    {"edge_contact_lower", "", "/probability/edge_contact/lower", -1, 1, "", ""},
-    {"edge_contact_upper", "", "/probability/edge_contact/upper", -1, 1, "", ""},
-    {"jam", "jam", "/probability/jam/value", 1, 100, "%",
-     "share of the samples in which the gears jam"},
-    {"jam_upper", "", "/probability/jam/upper", -1, 1, "", ""},
-    {"contact_lost", "lost", "/probability/contact_lost/value", 1, 100, "%",
-     "share of the samples that lose contact; the percentile does not include these samples"},
-    {"contact_lost_upper", "", "/probability/contact_lost/upper", -1, 1, "", ""}};
+    {"design", "/design", -1, "design"},
+    {"module_mm", "/module_mm"},
+    {"z1", "/teeth/0"},
+    {"z2", "/teeth/1"},
+    {"helix1_deg", "/helix_angle_deg/0"},
+    {"helix2_deg", "/helix_angle_deg/1", -1, "", false},
+    {"x1", "/profile_shift/0", 4},
+    {"x2", "/profile_shift/1", 4},
+    {"center_distance_mm", "/center_distance_mm", 4},
+    {"face_width_mm", "/face_width_mm", -1, "", false},
+    {"percentile_arcsec", "/peak_to_peak_arcsec/percentiles/%", 4, "%"},
+    {"percentile_lower_arcsec", "/peak_to_peak_arcsec/lower/%", 4, "from"},
+    {"percentile_upper_arcsec", "/peak_to_peak_arcsec/upper/%", 4, "to"},
+    {"mean_arcsec", "/peak_to_peak_arcsec/mean", 4, "mean"},
+    {"edge_contact", "/probability/edge_contact/value", 1, "edge", true, true},
+    {"edge_contact_lower", "/probability/edge_contact/lower", -1, "", false},
+    {"edge_contact_upper", "/probability/edge_contact/upper", -1, "", false},
+    {"jam", "/probability/jam/value", 1, "jam", true, true},
+    {"jam_upper", "/probability/jam/upper", -1, "", false},
+    {"contact_lost", "/probability/contact_lost/value", 1, "lost", true, true},
+    {"contact_lost_upper", "/probability/contact_lost/upper", -1, "", false}};
 
 std::string percent_words(const JobSpec& spec) {
   return format_number(spec.scatter.percentiles[ranking_percentile(spec)]) + " %";
+}
+
+// Calls use(column, heading, unit, meaning) for each column that a terminal and the page show. The
+// texts are those of the quantity at the place of the column and of the record that contains it.
+template <class Use>
+void each_shown(const JobSpec& spec, const Use& use) {
+  for (const StudyColumn& c : kColumns) {
+    if (!c.shown) continue;
+    const QuantityTable* table = &scattered_design_quantities().table();
+    const QuantityInfo *record = nullptr, *info = nullptr;
+    std::string gear;
+    std::istringstream keys(c.place + 1);
+    for (std::string key; std::getline(keys, key, '/');) {
+      const QuantityInfo* const next = table ? table->find(key) : nullptr;
+      if (next) record = std::exchange(info, next);
+      if (!next && info->two == Two::gears) gear = key == "0" ? "1" : "2";
+      table = next && next->of ? &next->of() : nullptr;
+    }
+    const std::string head = c.head ? c.head : info->symbol + gear;
+    const std::string of = record         ? ": " + plain_words(record->meaning)
+                           : gear.empty() ? ""
+                                          : " of gear " + gear;
+    use(c, head == "%" ? percent_words(spec) : head,
+        std::string(unit_text(c.share ? Unit::percent : (record ? record : info)->unit)),
+        info->words + of);
+  }
 }
 
 Json cell(const JobSpec& spec, const StudyColumn& column, const Json& row) {
@@ -79,12 +101,7 @@ std::optional<double> number_or_none(const Json& value) {
 std::string shown(const StudyColumn& column, const Json& value) {
   if (!value.is_number()) return "–";
   if (column.digits < 0) return format_number(value.get<double>());
-  return fixed_decimals(column.factor * value.get<double>(), column.digits);
-}
-
-std::string head_of(const JobSpec& spec, const StudyColumn& column) {
-  const std::string head = column.head;
-  return head == "%" ? percent_words(spec) : head;
+  return fixed_decimals((column.share ? 100 : 1) * value.get<double>(), column.digits);
 }
 
 // Returns, for example, "63 designs, 1024 samples of each (8 replicates of 128), ranked by the 95 %
@@ -162,14 +179,12 @@ std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t 
   std::vector<ListingColumn> columns{{"rank", "rank", "", {}}};
   for (std::size_t i = 0; i < run.designs.size() && i < most; ++i)
     columns[0].cells.push_back(std::to_string(i + 1));
-  for (const StudyColumn& c : kColumns) {
-    if (*c.head == 0) continue;
-    const std::string meaning = c.meaning;
-    ListingColumn& column = columns.emplace_back(
-        ListingColumn{meaning.substr(0, meaning.find(';')), head_of(spec, c), c.unit, {}});
+  each_shown(spec, [&](const auto& c, const auto& head, const auto& unit, const auto& meaning) {
+    ListingColumn& column =
+        columns.emplace_back(ListingColumn{meaning.substr(0, meaning.find(';')), head, unit, {}});
     for (std::size_t i = 0; i < columns[0].cells.size(); ++i)
       column.cells.push_back(shown(c, cell(spec, c, run.designs[i])));
-  }
+  });
   text += design_listing(columns);
   if (run.designs.size() > most)
     text += fmt::format("    … {} more; --csv, --json and --out DIR give all of them\n",
@@ -211,13 +226,14 @@ std::string study_page(const JobSpec& spec, const StudyRun& run) {
   report.spec_text = spec.text;
   report.version = kVersion;
   report.percentile = percent_words(spec);
-  for (const StudyColumn& c : kColumns)
-    if (*c.head != 0) report.columns.push_back({escaped(head_of(spec, c)), c.unit, c.meaning});
+  each_shown(spec, [&](const auto&, const auto& head, const auto& unit, const auto& meaning) {
+    report.columns.push_back({escaped(head), unit, meaning});
+  });
   const std::size_t at = ranking_percentile(spec);
   for (const Json& row : run.designs) {
     TableRow& cells = report.rows.emplace_back();
     for (const StudyColumn& c : kColumns) {
-      if (*c.head == 0) continue;
+      if (!c.shown) continue;
       const Json value = cell(spec, c, row);
       cells.cells.push_back({escaped(shown(c, value)), number_or_none(value)});
     }

@@ -19,6 +19,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_rows.hpp"
+#include "gearwright/job/search_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -243,6 +244,27 @@ Result<Answer> run_drive(const JobSpec& spec, Progress* progress) {
   return answer_drive(spec, progress);
 }
 
+// Runs the whole search in memory. A search in a folder, by one process or by several, is the work
+// of run_search(), which the programs call with the options of a folder.
+Result<Answer> run_search_in_memory(const JobSpec& spec, Progress* progress) {
+  if (searches_drives(spec)) return answer_drive_search(spec, kDefaultDrives, 0, progress);
+  if (!spec.search) return no_search();
+  const auto search = std::make_shared<const Search>(*spec.search);
+  SearchOptions options;
+  options.progress = [progress](const SearchProgress&) { count_step(progress); };
+  auto found = run_search(spec, *search, options);
+  if (!found) return found.error();
+  const auto run = std::make_shared<const SearchRun>(std::move(found).take());
+  Answer answer;
+  answer.record = search_json(*search, *run, UnitSystem::mm);
+  const auto& designs = run->answer.designs;
+  for (std::size_t i = 0; i < std::min(designs.size(), kListedDesigns); ++i)
+    answer.specs.push_back(pair_spec(spec, *search, designs[i]));
+  answer.listing = [=, units = spec.units()] { return search_listing(*search, *run, units); };
+  answer.json = [=, units = spec.units()] { return search_json_text(*search, *run, units); };
+  return answer;
+}
+
 using Take = Verb::Take;
 
 constexpr Verb kVerbs[] = {
@@ -302,6 +324,15 @@ constexpr Verb kVerbs[] = {
      "gearwright fit examples/crossed_fit.toml", SpecUse::geometry, false, false, true,
      Take::number, "Print only the spec of the branch with this number", run_fit, "fit",
      quantities_table<fit_quantities>},
+    {"search",
+     "All designs that satisfy the table [search] of the spec, ranked, with the region of feasible "
+     "profile shifts of each design",
+     "gearwright search examples/gearbox_search.toml --out found\n"
+     "  gearwright search examples/gearbox_search.toml --take 1 > pair.toml\n"
+     "  gearwright search wide.toml --out wide --shard 3/8     on each of eight machines",
+     SpecUse::geometry, false, false, true, Take::number,
+     "Print the spec of the design with this rank and nothing else", run_search_in_memory, "search",
+     quantities_table<search_quantities>},
 };
 
 Json with_verdict(Json json, const Answer& answer) {
@@ -314,6 +345,10 @@ Json with_verdict(Json json, const Answer& answer) {
 }  // namespace
 
 Json answer_json(const Answer& answer) { return with_verdict(answer.record, answer); }
+
+std::string answer_json_text(const Answer& answer) {
+  return answer.json ? answer.json() : json_text(answer_json(answer), 2) + "\n";
+}
 
 std::string answer_text(const Answer& answer) {
   return answer.listing() + warning_listing(answer.warnings, answer.units) +

@@ -42,6 +42,7 @@ struct Answer {
   std::string why_none;                  ///< the reason, if a verb that proposes specs finds none
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
+  std::function<std::string()> json;     ///< the text of answer_json() if it has its own lines
   std::function<Json(UnitSystem)> rows;  ///< rows of the page (job/result_rows.hpp); may be empty
   UnitSystem units =
       UnitSystem::mm;  ///< units of the specs, the notes and the output for users; `record` is in
@@ -55,6 +56,8 @@ Answer in_units_of(const JobSpec& spec, Answer answer);
 /// Returns the record in the units of the answer. If the verb judges gears, `warnings` and
 /// `verdict` follow. If it does not, `warnings` follow only if there are any.
 Json answer_json(const Answer& answer);
+/// Returns the text that the option --json prints.
+std::string answer_json_text(const Answer& answer);
 std::string answer_text(const Answer& answer);
 
 struct Verb {

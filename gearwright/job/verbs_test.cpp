@@ -74,12 +74,11 @@ TEST(Verbs, are_found_by_their_names) {
   EXPECT_EQ(find_verb(""), nullptr);
 }
 
-// The engine has the verbs of the table, and a search.
 TEST(VerbDocument, TheTypeOfTheEngineIsTheTable) {
   constexpr const char* kTypes = "apps/web/engine/engine.d.ts";
   std::string made = "export type Verb =";
   for (const Verb& verb : verbs()) made += fmt::format(" \"{}\" |", verb.name);
-  made += " \"search\";\n";
+  made.replace(made.size() - 2, 2, ";\n");
   std::string text = document(kTypes);
   const std::size_t from = text.find("export type Verb =");
   ASSERT_NE(from, std::string::npos);

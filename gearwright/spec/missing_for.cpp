@@ -118,9 +118,7 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   // the spec with the reason.
   if (spec.rack) return {};
   std::vector<Error> missing;
-  const auto unknown = [&](int which) {
-    return spec.measured[static_cast<std::size_t>(which - 1)] && !spec.has(which);
-  };
+  const auto unknown = [&](int which) { return spec.measured[which - 1] && !spec.has(which); };
   if (spec.search || spec.given.contains("search") || unknown(1) || unknown(2) || spec.drive)
     return missing;
   const bool two = spec.given.contains("gear2");

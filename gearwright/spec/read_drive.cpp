@@ -83,7 +83,7 @@ void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
     const GearInput gear = read_gear(stage_gear_keys(), both[name], path, nullptr, folder);
     pair.teeth[i] = gear.cylindrical.teeth;
     pair.specs[i] = gear.cylindrical;
-    pair.shifts[i] = gear.profile_shift;
+    pair.shifts[i] = gear.given_shift();
     pair.modifications[i] = gear.modifications;
     pair.bores[i] = gear.bore;
     pair.double_helical[i] = gear.double_helical;

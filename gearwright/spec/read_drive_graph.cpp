@@ -85,7 +85,7 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   const GearInput given = read_gear(drive_gear_keys(), whole, path, nullptr, folder);
   gear.name = node["name"].get<std::string>();
   gear.teeth = gear.rack ? 0 : given.cylindrical.teeth;
-  gear.shift = given.profile_shift;
+  gear.shift = given.given_shift();
   gear.modifications = given.modifications;
   gear.bore = given.bore;
   gear.double_helical = given.double_helical;

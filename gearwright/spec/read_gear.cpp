@@ -116,16 +116,15 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
          g.helix_given ? std::optional(g.cylindrical.helix_angle.deg()) : std::nullopt,
          Angle::radians(rack.helix_angle).deg());
-  agrees("profile_shift", g.profile_shift, rack.profile_shift);
+  agrees("profile_shift", g.given_shift(), rack.profile_shift);
   CylindricalSpec& c = g.cylindrical;
   c.normal_module = rack.normal_module;
   c.normal_pressure_angle = Angle::radians(rack.normal_pressure_angle);
   c.helix_angle = Angle::radians(rack.helix_angle);
   g.helix_given = true;
-  g.profile_shift = rack.profile_shift;
+  g.give_shift(rack.profile_shift);
   g.basic = base;
   if (!in.root_diameter) return;
-  c.profile_shift = rack.profile_shift;
   auto leaving = rack_leaving_root(c, *in.root_diameter, in.root_form_diameter);
   if (!leaving) throw SpecError{spelled(within(gear.name("basic"), leaving.error()))};
   c.rack = *leaving;
@@ -266,7 +265,7 @@ void read_cut_by(TableReader& gear, const Json& node, const std::optional<double
                 "distance determine the tooth");
     }
   }
-  if (total && g.profile_shift) {
+  if (total && g.shift_given) {
     gear.fail("profile_shift_pair",
               "cannot be combined with profile_shift, because both keys determine the depth of the "
               "cutter; leave out one of the two");

@@ -370,6 +370,7 @@ Result<JobSpec> read_parsed(const Json& tree, std::string text, const std::files
   try {
     JobSpec spec = read_tree(in_mm, given, folder, use);
     spec.text = std::move(text);
+    spec.folder = folder;
     return spec;
   } catch (const SpecError& e) {
     return in_units_of(given, e.error);

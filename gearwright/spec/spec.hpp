@@ -31,6 +31,7 @@ struct JobSpec : SpecTables {
   /// The spec as a tree of tables, with the values that are copied from gear 1 to gear 2. Null if
   /// the spec was not read.
   std::shared_ptr<const SpecTree> tree;
+  std::filesystem::path folder;             ///< file names in the spec are relative to it
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
   std::optional<SearchProblem> search;

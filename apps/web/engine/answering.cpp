@@ -6,8 +6,6 @@
 
 #include "apps/common/output.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_job.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/json.hpp"
@@ -20,21 +18,6 @@ namespace {
 
 Error too_long(std::size_t bytes) {
   return {"", "", fmt::format("the spec has {} bytes; at most {} are allowed", bytes, kMaxSpec)};
-}
-
-// Runs the whole search, as the command-line program does.
-Result<Answered> searched(const JobSpec& spec) {
-  if (!spec.search) return no_search();
-  const Search search(*spec.search);
-  const auto run = run_search(spec, search, {});
-  if (!run) return run.error();
-  return Answered{search_json_text(search, *run, spec.units())};
-}
-
-Result<Answered> solved(const Verb& verb, const JobSpec& spec) {
-  auto answer = verb.run(spec, nullptr);
-  if (!answer) return answer.error();
-  return Answered{json_text(answer_json(*answer), 2) + "\n", std::move(answer).take()};
 }
 
 Result<Json> tree_of(const std::string& text, SpecFormat format) {
@@ -76,13 +59,13 @@ std::string refusal(const Error& error, const SpecText* text, const GivenKeys& g
 Answered answered(std::string_view verb, const std::string& given) {
   const SpecText text = spec_text(given);
   const Verb* const row = find_verb(verb);
-  if (verb != "search" && row == nullptr)
+  if (row == nullptr)
     return {refusal({"", std::string(verb), "is not a verb that returns JSON for a spec"})};
-  const auto spec = read(text, row ? row->use : SpecUse::geometry);
+  const auto spec = read(text, row->use);
   if (!spec) return {refusal(spec.error(), &text)};
-  auto found = row ? solved(*row, *spec) : searched(*spec);
-  if (!found) return {refusal(found.error(), &text, spec->given)};
-  return std::move(found).take();
+  auto answer = row->run(*spec, nullptr);
+  if (!answer) return {refusal(answer.error(), &text, spec->given)};
+  return {answer_json_text(*answer), std::move(answer).take()};
 }
 
 Result<std::string> to_toml(const std::string& json) {

@@ -27,7 +27,7 @@ std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});
 
 /// The output of `gearwright VERB SPEC --json` with the result of the verb. There is no result if
-/// the verb fails, or for a search.
+/// the verb fails.
 struct Answered {
   std::string json;
   std::optional<Answer> answer = {};

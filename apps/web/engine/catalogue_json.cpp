@@ -148,7 +148,15 @@ std::string catalogue_json() {
                           {"unit", words.unit},
                           {"better", seeks_greatest(objective) ? "greater" : "smaller"}});
   }
+  Json inch_units;
+  for (const Unit unit : {Unit::mm, Unit::um, Unit::per_mm, Unit::mm_per_rad}) {
+    constexpr int kMany = 9;  // decimals, of which an inch unit may have one less
+    inch_units[std::string(unit_text(unit))] = {unit_text(UnitSystem::inch, unit),
+                                                metric_unit(unit_suffix(unit))->to_metric(1.0),
+                                                digits_in(UnitSystem::inch, unit, kMany) - kMany};
+  }
   return json_text({{"version", kVersion},
+                    {"inchUnits", std::move(inch_units)},
                     {"materials", std::move(materials)},
                     {"objectives", std::move(objectives)},
                     {"inputs", std::move(inputs)},

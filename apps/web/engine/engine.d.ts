@@ -120,6 +120,9 @@ export interface Catalogue {
   objectives: Objective[];
   inputs: InputTable[]; // the table of the file itself comes first
   quantities: QuantityTable[];
+  // For each unit of length, the unit that replaces it in the inch system, the size of that unit, and the change
+  // in the number of decimals.
+  inchUnits: Record<string, [unit: string, size: number, digits: number]>;
 }
 
 // ---------------------------------------------------------------------------------- geometry

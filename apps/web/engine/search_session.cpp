@@ -69,7 +69,7 @@ void SearchSession::close_some() {
   auto& designs = run_.answer.designs;
   if (stage_ == Stage::loads) {
     if (loaded_.size() < designs_to_load(search_.problem(), run_.answer)) {
-      loaded_.push_back(loaded_design(spec_, search_, designs[loaded_.size()], {}));
+      loaded_.push_back(loaded_design(spec_, search_, designs[loaded_.size()]));
       return;
     }
     rank_loaded(search_.problem(), loaded_, top_, run_.answer);

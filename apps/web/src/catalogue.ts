@@ -7,6 +7,9 @@ let whole: Catalogue;
 export function setCatalogue(catalogue: Catalogue): void {
   whole = catalogue;
 }
+export function inchUnit(unit: string): Catalogue["inchUnits"][string] | undefined {
+  return whole.inchUnits[unit];
+}
 export function inputs(name: string): InputTable | undefined {
   return whole.inputs.find((table) => table.name === name);
 }

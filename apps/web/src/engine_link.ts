@@ -10,7 +10,7 @@
 // dropped request is null.
 
 import type { Questions } from "./engine_worker";
-import { onUnitChange, shownUnit } from "./numbers";
+import { onUnitChange, lengthUnit } from "./numbers";
 
 export type Name = keyof Questions;
 export type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
@@ -49,7 +49,7 @@ export class EngineLink {
     private readonly make: () => Worker,
     private readonly wasm: () => Promise<ArrayBuffer>,
   ) {
-    onUnitChange(() => this.worker?.postMessage({ unit: shownUnit("mm") }));
+    onUnitChange(() => this.worker?.postMessage({ unit: lengthUnit() }));
   }
 
   get idle(): boolean {
@@ -64,7 +64,7 @@ export class EngineLink {
     this.worker = worker;
     worker.onmessage = (event: MessageEvent) => this.take(event.data);
     worker.onerror = (event) => this.fail(new Error(event.message || "the engine has stopped"));
-    worker.postMessage({ wasm: bytes, unit: shownUnit("mm") });
+    worker.postMessage({ wasm: bytes, unit: lengthUnit() });
     return worker;
   }
 

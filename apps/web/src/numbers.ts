@@ -1,16 +1,9 @@
 // Formats numbers for users with the digits and units of the catalogue, in mm or in inches.
 
 import type { Quantity } from "../engine/engine";
+import { inchUnit } from "./catalogue";
 import type { Json } from "./engine_worker";
 
-/** For each unit of length, the unit that replaces it in the inch system, the size of that unit, and the change
- *  in the number of decimals. */
-const kInch: { [unit: string]: [unit: string, size: number, digits: number] } = {
-  mm: ["in", 25.4, 1],
-  µm: ["µin", 0.0254, -1],
-  "1/mm": ["1/in", 1 / 25.4, -1],
-  "mm/rad": ["in/rad", 25.4, 1],
-};
 /** A unit, or a key or a quantity with its unit. Modules are in mm in both systems. */
 type Dimension = string | { unit: string; key: string };
 const kModules = /(^|_)modules?_mm$/;
@@ -23,13 +16,16 @@ export function showLengthsIn(unit: string): void {
   localStorage.setItem("gearwright.unit", unit);
   for (const listener of listeners) listener();
 }
+export function lengthUnit(): "mm" | "in" {
+  return inches ? "in" : "mm";
+}
 export function onUnitChange(listener: () => void): void {
   listeners.add(listener);
 }
 
 const unitOf = (of: Dimension) => (typeof of === "string" ? of : of.unit);
 const inInch = (of: Dimension) =>
-  inches && (typeof of === "string" || !kModules.test(of.key)) ? kInch[unitOf(of)] : undefined;
+  inches && (typeof of === "string" || !kModules.test(of.key)) ? inchUnit(unitOf(of)) : undefined;
 
 /** Returns the unit shown with a value. */
 export function shownUnit(of: Dimension): string {

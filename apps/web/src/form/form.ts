@@ -5,14 +5,14 @@
 
 import { inputKey } from "../catalogue";
 import { button, Choice, fill, h } from "../elements";
-import { onUnitChange, showLengthsIn, shownUnit } from "../numbers";
+import { onUnitChange, showLengthsIn, lengthUnit } from "../numbers";
 import { at, bench, hasRack, isDrive } from "../workbench";
 import { columnHeads, Rows } from "./row";
 import { planOf, signatureOf, type Section } from "./plan";
 
 export class Form {
   readonly element = h("div", { class: "form" });
-  readonly units = new Choice("unit of length", { mm: "mm", in: "inch" }, shownUnit("mm"), showLengthsIn);
+  readonly units = new Choice("unit of length", { mm: "mm", in: "inch" }, lengthUnit(), showLengthsIn);
   private signature = "";
   private readonly rows = new Rows();
   private readonly opened = new Set<string>(["gear", "pair", "search", "fit"]);
@@ -31,7 +31,7 @@ export class Form {
   constructor() {
     fill(this.element, this.title, this.general, this.body);
     onUnitChange(() => {
-      this.units.show(shownUnit("mm"));
+      this.units.show(lengthUnit());
       this.signature = "";
       this.update();
     });
