@@ -87,6 +87,13 @@ TEST(ReadForms, a_number_for_each_input_and_one_torque) {
             "planetary.fixed = 3: must be the name of a body, or a list of names");
 }
 
+TEST(ReadForms, a_list_of_bodies_contains_no_body_twice) {
+  EXPECT_EQ(refused_form(kSet + "fixed = [\"ring\", \"ring\"]\n"),
+            "planetary.fixed = [\"ring\", \"ring\"]: contains ring twice");
+  EXPECT_EQ(refused_form(kSet + "fixed = []\ninput = [\"sun\", \"sun\"]\n"),
+            "planetary.input = [\"sun\", \"sun\"]: contains sun twice");
+}
+
 // The torque of a power is P/ω. The oracle is P n = T n² 2π/60 for 11 kW and 1450/min.
 TEST(ReadForms, a_power_gives_the_torque) {
   constexpr double kTorque = 11e3 * 60 / (2 * 3.14159265358979323846 * 1450);
