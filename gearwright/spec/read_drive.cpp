@@ -33,6 +33,12 @@ bool gives_band(const Json& node) {
 
 }  // namespace
 
+void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs) {
+  if (speeds == 0 || speeds == inputs) return;
+  t.fail("speed_rpm", fmt::format("has {} number{} for {} input{}; give one speed for each input",
+                                  speeds, speeds == 1 ? "" : "s", inputs, inputs == 1 ? "" : "s"));
+}
+
 PlanetarySpec read_set(const Json& node, const std::string& path) {
   refuse_halves(node, path,
                 "is a key of a gear; the command `gearwright drive SPEC --expand` prints the set "
@@ -43,6 +49,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   set.backlash_is_mean = gives_band(node);
   t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
+  check_speeds(t, set.speeds_rpm.size(), std::max<std::size_t>(set.inputs.size(), 1));
   return set;
 }
 
@@ -153,6 +160,7 @@ StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
     t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");
   pair.set_allowances(in.series);
   t.finish();
+  check_speeds(t, in.stage.speeds_rpm.size(), 1);
   return in.stage;
 }
 

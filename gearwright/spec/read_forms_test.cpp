@@ -87,6 +87,27 @@ TEST(ReadForms, a_number_for_each_input_and_one_torque) {
             "planetary.fixed = 3: must be the name of a body, or a list of names");
 }
 
+TEST(ReadForms, as_many_speeds_as_inputs) {
+  const std::string two = "has 2 numbers for 1 input; give one speed for each input";
+  const std::string differential = kSet + "fixed = []\ninput = [\"sun\", \"ring\"]\n";
+  EXPECT_EQ(refused_form(kSet + "speed_rpm = [100]\n"), "");
+  EXPECT_EQ(refused_form(kSet + "speed_rpm = [100, 200]\n"),
+            "planetary.speed_rpm = [100, 200]: " + two);
+  EXPECT_EQ(refused_form(differential), "");
+  EXPECT_EQ(refused_form(differential + "speed_rpm = 100\n"),
+            "planetary.speed_rpm = 100: has 1 number for 2 inputs; give one speed for each input");
+  EXPECT_EQ(refused_form(kStage + "speed_rpm = [10000, 1]\n"),
+            "stage[1].speed_rpm = [10000, 1]: " + two);
+  EXPECT_EQ(refused_form("[drive]\ninput = \"a\"\noutput = \"b\"\nspeed_rpm = [100, 200]\n"
+                         "[[drive.body]]\nname = \"a\"\n[[drive.body]]\nname = \"b\"\n"
+                         "[[drive.gear]]\nname = \"A\"\nbody = \"a\"\nteeth = 20\n"
+                         "[[drive.gear]]\nname = \"B\"\nbody = \"b\"\nteeth = 40\n"
+                         "[[drive.mesh]]\ngears = [\"A\", \"B\"]\n"),
+            "drive.speed_rpm = [100, 200]: " + two);
+  EXPECT_EQ(refused_form("[search]\nkind = \"planetary\"\nratio = 4\nspeed_rpm = [100, 200]\n"),
+            "search.speed_rpm = [100, 200]: " + two);
+}
+
 TEST(ReadForms, a_list_of_bodies_contains_no_body_twice) {
   EXPECT_EQ(refused_form(kSet + "fixed = [\"ring\", \"ring\"]\n"),
             "planetary.fixed = [\"ring\", \"ring\"]: contains ring twice");
