@@ -1,6 +1,7 @@
 #include "gearwright/spec/read_drive.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <initializer_list>
@@ -31,6 +32,38 @@ bool gives_band(const Json& node) {
   return backlash != node.end() && backlash->is_array() && backlash->size() == 2;
 }
 
+// Rejects a number or a material of a gear or a mesh that the set does not have.
+void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec& set) {
+  std::vector<std::string> gears, meshes;
+  for (std::size_t m = 0; m < kSetMembers; ++m)
+    if (const auto member = static_cast<SetMember>(m); set.z(member) || member == SetMember::planet)
+      gears.emplace_back(to_string(member));
+  for (const SetMesh& mesh : meshes_of(set)) meshes.push_back(mesh.name);
+  const auto check = [&](const std::string& key, const std::vector<std::string>& possible,
+                         const std::vector<std::string>& present, const char* what) {
+    for (const auto& [part, value] : node[key].items()) {
+      const auto in = [&part = part](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), part) != names.end();
+      };
+      if (in(possible) && !in(present))
+        throw SpecError{{t.name(key) + "." + part, shown(value),
+                         fmt::format("is not a {} of this set; its {}{} {} {}", what, what,
+                                     present.size() == 1 ? "" : what[0] == 'm' ? "es" : "s",
+                                     present.size() == 1 ? "is" : "are",
+                                     fmt::join(present, ", "))}};
+    }
+  };
+  for (const Key& key : planetary_keys().keys) {
+    const std::string name(key.key);
+    if (!node.contains(name) || !node[name].is_object()) continue;
+    if (key.kind == KeyKind::by_name && key.place.names() == PerMesh::names()) {
+      check(name, PerMesh::names(), meshes, "mesh");
+    } else if (key.kind == KeyKind::by_name || name == "material") {
+      check(name, set_member_names(), gears, "gear");
+    }
+  }
+}
+
 }  // namespace
 
 void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs) {
@@ -49,6 +82,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   set.backlash_is_mean = gives_band(node);
   t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
+  check_set_names(t, node, set);
   check_speeds(t, set.speeds_rpm.size(), std::max<std::size_t>(set.inputs.size(), 1));
   return set;
 }

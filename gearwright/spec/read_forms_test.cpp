@@ -108,6 +108,23 @@ TEST(ReadForms, as_many_speeds_as_inputs) {
             "search.speed_rpm = [100, 200]: " + two);
 }
 
+TEST(ReadForms, names_of_gears_and_meshes_that_the_set_has) {
+  for (const char* key : {"profile_shift", "bore_mm"})
+    EXPECT_EQ(refused_form(kSet + key + " = { sun = 0.2, sun2 = 0.2 }\n"),
+              std::string("planetary.") + key +
+                  ".sun2 = 0.2: is not a gear of this set; its gears are sun, planet, ring");
+  for (const char* key : {"center_distance_mm", "mesh_efficiency"})
+    EXPECT_EQ(refused_form(kSet + key + " = { sun2_planet = 0.5 }\n"),
+              std::string("planetary.") + key +
+                  ".sun2_planet = 0.5: is not a mesh of this set; its meshes are sun_planet, "
+                  "planet_ring");
+  EXPECT_EQ(refused_form(kSet + "material = { sun2 = \"16MnCr5\" }\n")
+                .find("planetary.material.sun2"),
+            0u);
+  EXPECT_EQ(refused_form("[planetary]\nsun = 20\nring = 80\nprofile_shift = { planet = 0.1 }\n"),
+            "");
+}
+
 TEST(ReadForms, a_list_of_bodies_contains_no_body_twice) {
   EXPECT_EQ(refused_form(kSet + "fixed = [\"ring\", \"ring\"]\n"),
             "planetary.fixed = [\"ring\", \"ring\"]: contains ring twice");
