@@ -203,11 +203,16 @@ void find_facts(Drive& drive) {
                                                : fmt::format("{} positions", set.assembly.places)));
       continue;
     }
-    if (!set.assembly.equal && set.group.count > 1)
-      say(WarningCode::unequal_spacing,
-          fmt::format("{} copies of {} are unequally spaced, because their teeth mesh at only {} "
-                      "positions per revolution.",
-                      set.group.count, planet, set.assembly.places));
+    if (set.assembly.equal || set.group.count == 1) continue;
+    const auto& riders = set.group.riders;
+    const bool given = std::any_of(riders.begin(), riders.end(), [&](std::size_t body) {
+      return !drive.graph.bodies[body].positions_deg.empty();
+    });
+    say(WarningCode::unequal_spacing,
+        fmt::format("{} copies of {} are unequally spaced, because {}.", set.group.count, planet,
+                    given ? std::string("the given positions are not at equal pitch")
+                          : fmt::format("their teeth mesh at only {} positions per revolution",
+                                        set.assembly.places)));
   }
   if (!drive.motion.redundant.empty())
     say(WarningCode::redundant_meshes,
