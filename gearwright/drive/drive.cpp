@@ -340,6 +340,7 @@ std::optional<double> Drive::frequency_ratio(std::size_t mesh) const {
 Result<Drive> make_drive(const DriveInput& input) {
   const DriveGraph given = normalised(input.graph);
   if (auto error = check_graph(given)) return *error;
+  if (auto error = check_distances(given)) return *error;
   Drive drive;
   drive.graph = with_backlash(given);
   auto motion = drive_motion(drive.graph);

@@ -90,6 +90,33 @@ TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
   EXPECT_GT(drive["transmission_error"]["output_arcsec_peak_to_peak"], 0.1);
 }
 
+// The gears that mesh with a planet are coaxial, so two distances are a contradiction.
+TEST(DriveAnswerTest, TwoDistancesOfAPlanetNameTheirKeys) {
+  const std::string set = "sun = 20\nplanet = 25\nring = 70\nplanets = 3\n";
+  const auto distances = [](double second) {
+    return fmt::format(
+        "normal_module_mm = 2\ncenter_distance_mm = {{ sun_planet = 45, planet_ring = {} }}\n",
+        second);
+  };
+  const auto error_of = [](const JobSpec& spec) {
+    const auto solved = solve_drive(spec);
+    return solved ? "" : solved.error().message();
+  };
+  const std::string rule =
+      " = 46: contradicts the centre distance of 45 mm that is given for the mesh ";
+  const JobSpec job = drive_job("[planetary]\n" + set + distances(46));
+  EXPECT_TRUE(error_of(job).starts_with("planetary.center_distance_mm.planet_ring" + rule +
+                                        "sun_planet, because"))
+      << error_of(job);
+  const JobSpec graph = drive_job(toml_text(expanded_spec(job.tree->tables, *job.drive)));
+  EXPECT_TRUE(error_of(graph).starts_with("drive.mesh[2].center_distance_mm" + rule));
+  const JobSpec train = drive_job("[[stage]]\n" + distances(46) +
+                                  "planetary = { sun = 20, planet = 25, ring = 70 }\n");
+  EXPECT_TRUE(error_of(train).starts_with("stage[1].center_distance_mm.planet_ring" + rule))
+      << error_of(train);
+  EXPECT_EQ(error_of(drive_job("[planetary]\n" + set + distances(45))), "");
+}
+
 TEST(DriveAnswerTest, GearsOfADriveAreRefusedWhatTheyCannotBe) {
   const auto stage = [](const std::string& gear) {
     return "[[stage]]\ngears = [ { teeth = 19, normal_module_mm = 2, " + gear +

@@ -212,6 +212,30 @@ std::string table_of_gear(const Json& tree, const std::string& name) {
   contract_failed("precondition", "a gear with its own table", __FILE__, __LINE__);
 }
 
+// Returns the key of a number of the mesh with this name, "drive.mesh[2].center_distance_mm" or
+// "planetary.center_distance_mm.planet_ring".
+std::string key_of_mesh(const Json& tree, const std::string& name, const std::string& key) {
+  if (tree.contains("drive")) {
+    const Json& meshes = tree["drive"]["mesh"];
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const Json& own = meshes[i];
+      const auto gear = [&](int which) { return own["gears"][which].get<std::string>(); };
+      if (own.value("name", gear(0) + "_" + gear(1)) == name)
+        return fmt::format("drive.mesh[{}].{}", i + 1, key);
+    }
+  }
+  if (!tree.contains("stage")) return fmt::format("planetary.{}.{}", key, name);
+  for (std::size_t k = 1; k <= tree["stage"].size(); ++k) {
+    const Json& stage = tree["stage"][k - 1];
+    const std::string prefix = fmt::format("s{}_", k);
+    if (!name.starts_with(prefix) || !stage.contains("planetary")) continue;
+    return fmt::format("stage[{}]{}.{}.{}", k,
+                       stage["planetary"].contains(key) ? ".planetary" : "", key,
+                       name.substr(prefix.size()));
+  }
+  contract_failed("precondition", "a mesh with its own number", __FILE__, __LINE__);
+}
+
 template <class T>
 T taken(Result<T> made, const Json& tree) {
   if (!made) throw SpecError{spelled(of_drive_table(made.error(), tree))};
@@ -272,13 +296,19 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree) {
 }
 
 Error of_drive_table(Error error, const Json& tree) {
-  constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"";
+  constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"", kMesh = "drive.mesh[\"";
   if (!error.field.starts_with(kGraph)) return error;
   if (error.field.starts_with(kGear)) {  // as of_drive_gear() makes it
     const std::size_t end = error.field.find("\"].");
     const std::string gear = error.field.substr(kGear.size(), end - kGear.size());
     const SpelledMember own = spelled_member("gear1", error.field.substr(end + 3), error.value);
     return {table_of_gear(tree, gear) + own.key.substr(own.key.find('.')), own.value, error.rule,
+            error.kind};
+  }
+  if (error.field.starts_with(kMesh)) {  // as check_distances() makes it
+    const std::size_t end = error.field.find("\"].");
+    const std::string mesh = error.field.substr(kMesh.size(), end - kMesh.size());
+    return {key_of_mesh(tree, mesh, error.field.substr(end + 3) + "_mm"), error.value, error.rule,
             error.kind};
   }
   for (const std::string own : {"planetary", "stage", "search"})
