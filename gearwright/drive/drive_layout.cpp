@@ -133,7 +133,7 @@ class Layout {
       if (!meets(placed(mesh, 0)))
         return Error{
             "drive.mesh", mesh.name,
-            "closes a loop of gears whose teeth do not mesh at these angles of the shafts"};
+            "this mesh closes a loop of gears whose teeth do not mesh at these angles of the shafts"};
     for (const PlanetSet& set : drive_.sets)
       for (int copy = 1; copy < set.group.count; ++copy)
         if (!turn_copy(set, copy))

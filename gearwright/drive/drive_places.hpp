@@ -49,6 +49,16 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
 ///           possible position
 Result<DrivePlaces> drive_places(const Drive& drive);
 
+/// Returns the sentence that a drive cannot be assembled, with the reason, which is an error of
+/// drive_places() or drive_layout().
+std::string no_assembly(const Error& why);
+
+/// Returns the finding that a drive cannot be assembled, for an error of drive_places() or
+/// drive_layout(). Returns none if the spec does not determine the positions of the axes, so that
+/// other positions may be possible, and for a missing module, a rack with several pinions and
+/// teeth that have a finding of their own.
+std::optional<Warning> assembly_fault(const Drive& drive, const Error& why);
+
 /// Returns a note for each shaft whose axis is within the tip circle of an external gear on another
 /// axis. With bearings on both sides of the housing, such a shaft would pass through this gear.
 /// Planets and racks are not checked. Returns no notes if `places.true_scale` is false.

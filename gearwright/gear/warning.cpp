@@ -319,8 +319,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the search for a change of the limits that would help was incomplete or omitted (verb "
      "`search`); the message gives the reason"},
     {C::not_coaxial, "not_coaxial", kProblem,
-     "no profile shift brings all meshes of a planet to the same centre distance, or there is no "
-     "possible place for an idler (verb `drive`)",
+     "no profile shift brings all meshes of a planet to the same centre distance, there is no "
+     "possible place for an idler, both gears of a mesh have the same axis, or a closed loop of "
+     "gears does not fit together (verb `drive`)",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
      "the tip circles of neighbouring planets overlap, or there are fewer possible positions than "

@@ -90,6 +90,45 @@ TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
   EXPECT_GT(drive["transmission_error"]["output_arcsec_peak_to_peak"], 0.1);
 }
 
+// A drive that its files cannot contain, because the gears do not fit together, is red. If the
+// directions of a loop are not given, other positions of its axes may be possible.
+TEST(DriveAnswerTest, DrivesThatCannotBeAssembledAreRed) {
+  const auto drive = [](const std::string& bodies, const std::string& teeth,
+                        const std::vector<std::pair<std::string, std::string>>& meshes) {
+    std::string text = "[drive]\ninput = \"a\"\noutput = \"" + bodies.substr(1, 1) + "\"\n";
+    for (const char body : bodies)
+      text += fmt::format("[[drive.body]]\nname = \"{}\"\n{}", body,
+                          body == 'r' ? "rides_on = \"a\"\n" : "");
+    for (std::size_t g = 0; g < teeth.size(); ++g)
+      text += fmt::format(
+          "[[drive.gear]]\nname = \"{0}\"\nbody = \"{0}\"\nteeth = {1}0\nnormal_module_mm = "
+          "2\n",
+          bodies[g], teeth[g]);
+    for (const auto& [gears, keys] : meshes)
+      text += fmt::format("[[drive.mesh]]\ngears = [\"{}\", \"{}\"]\n{}\n", gears[0], gears[1],
+                          keys);
+    return testing::taken(solve_drive(drive_job(text)));
+  };
+  const auto loop = [&](const std::string& angle, const std::string& opposite) {
+    return drive("abcd", "2332",
+                 {{"ab", "angle_deg = 60"}, {"ac", "angle_deg = -60"}, {"bd", angle},
+                  {"cd", opposite}});
+  };
+  for (const auto& [job, words] :
+       {std::pair{drive("abr", "232", {{"ab", ""}, {"rb", ""}}), "a_b: the two gears of this mesh"},
+        {loop("angle_deg = 0", "angle_deg = 0"), "100.0000 mm apart instead of 50.0000 mm"},
+        {loop("angle_deg = -60", "angle_deg = 60"), "c_d: this mesh closes a loop of gears"}}) {
+    EXPECT_FALSE(job.layout);
+    EXPECT_EQ(job.verdict.level, Level::red) << words;
+    EXPECT_EQ(job.verdict.findings.front().code, WarningCode::not_coaxial);
+    EXPECT_NE(job.verdict.headline.find(words), std::string::npos) << job.verdict.headline;
+    EXPECT_EQ(job.layout_error.field, "drive.mesh");
+    EXPECT_TRUE(job.layout_error.rule.starts_with("the drive cannot be assembled, because "));
+  }
+  const DriveJob open = loop("", "");
+  EXPECT_NE(open.verdict.level, Level::red) << open.verdict.headline;
+}
+
 // The gears that mesh with a planet are coaxial, so two distances are a contradiction.
 TEST(DriveAnswerTest, TwoDistancesOfAPlanetNameTheirKeys) {
   const std::string set = "sun = 20\nplanet = 25\nring = 70\nplanets = 3\n";

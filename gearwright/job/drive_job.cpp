@@ -77,7 +77,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   input.remedies = true;
   auto made = make_drive(input);
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
-  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
+  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
   if (spec.errors.any()) {
     const MeshErrors errors = mesh_errors(spec, job.drive);
@@ -87,18 +87,25 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.drive.contacts = mesh_contacts(job.drive, errors);
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
-  if (auto places = drive_places(job.drive)) {
+  auto places = drive_places(job.drive);
+  auto layout = drive_layout(job.drive);
+  if (!layout) {
+    const Error& why = layout.error();
+    job.why_no_layout = no_assembly(why);
+    const bool named = spec.tree->tables.contains("drive") && !why.value.empty();
+    const char* const begin =
+        why.field == "drive.gear" ? "" : "the drive cannot be assembled, because ";
+    job.layout_error = named ? Error{why.field, why.value, begin + why.rule}
+                             : Error{"", "", job.why_no_layout};
+    if (auto fault = assembly_fault(job.drive, places ? why : places.error()))
+      job.drive.findings.push_back(std::move(*fault));
+  }
+  if (places) {
     const auto notes = shafts_through_gears(job.drive, *places);
     job.drive.findings.insert(job.drive.findings.end(), notes.begin(), notes.end());
     job.places = std::move(places).take();
   }
-  if (auto layout = drive_layout(job.drive)) {
-    job.layout = std::move(layout).take();
-  } else {
-    const Error& why = layout.error();
-    job.why_no_layout = fmt::format("The drive cannot be assembled: {}{}.",
-                                    why.value.empty() ? "" : why.value + " ", why.rule);
-  }
+  if (layout) job.layout = std::move(layout).take();
   // In every table of a drive, the members of a gear or a rack have the same keys as in [gear2].
   for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear2");
   job.verdict = judge(job);
