@@ -280,6 +280,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts,
   const auto wants = [](Wanted part, bool given) {
     return part == Wanted::yes || (part == Wanted::if_given && given);
   };
+  begin_stage(progress, "computing the drive", 0);
   auto solved = solve_drive(spec);
   const bool rated = wants(parts.rating, spec.rating.given);
   const bool analysed = wants(parts.contact, spec.errors.given || spec.contact.given);
