@@ -108,6 +108,24 @@ TEST(ReadForms, as_many_speeds_as_inputs) {
             "search.speed_rpm = [100, 200]: " + two);
 }
 
+TEST(ReadForms, a_planet_has_positions_in_place_of_an_angle) {
+  const auto graph = [](const std::string& sun, const std::string& housing) {
+    return "[drive]\ninput = \"s\"\noutput = \"c\"\nfixed = \"r\"\n"
+           "body = [{ name = \"s\" }, { name = \"r\" }, { name = \"c\" }, "
+           "{ name = \"p\", rides_on = \"c\", count = 3 }, { name = \"x\" }]\n"
+           "gear = [{ name = \"S\", body = \"s\", teeth = 20 }, "
+           "{ name = \"P\", body = \"p\", teeth = 25 }, "
+           "{ name = \"R\", body = \"r\", teeth = -70 }, "
+           "{ name = \"X\", body = \"x\", teeth = 30 }]\n"
+           "mesh = [{ gears = [\"S\", \"P\"]" +
+           sun + " }, { gears = [\"P\", \"R\"] }, { gears = [\"X\", \"S\"]" + housing + " }]\n";
+  };
+  EXPECT_EQ(refused_form(graph("", ", angle_deg = 10")), "");
+  EXPECT_EQ(refused_form(graph(", angle_deg = 10", "")),
+            "drive.mesh[1].angle_deg = 10: is not allowed for planets, whose positions determine "
+            "the direction; give positions_deg of the planet");
+}
+
 TEST(ReadForms, names_of_gears_and_meshes_that_the_set_has) {
   for (const char* key : {"profile_shift", "bore_mm"})
     EXPECT_EQ(refused_form(kSet + key + " = { sun = 0.2, sun2 = 0.2 }\n"),
