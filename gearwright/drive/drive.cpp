@@ -41,6 +41,10 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
     const auto eta = rack ? rack->efficiency : pair ? pair->efficiency : std::nullopt;
     if (eta && eta->gear1_drives && eta->gear2_drives)
       list.back() = MeshEfficiency{*eta->gear1_drives, *eta->gear2_drives};
+    // Without friction, no teeth have losses, so the teeth need not be known.
+    const bool known_teeth = graph.gear(graph.meshes[m], 0).spec.has_value();
+    if (!known_teeth && graph.meshes[m].friction.value_or(graph.friction) == 0.0)
+      list.back() = MeshEfficiency{1.0, 1.0};
   }
   return list;
 }

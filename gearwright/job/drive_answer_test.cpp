@@ -90,6 +90,31 @@ TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
   EXPECT_GT(drive["transmission_error"]["output_arcsec_peak_to_peak"], 0.1);
 }
 
+// A torque needs the efficiencies of the meshes. Without friction, they are 1.
+TEST(DriveAnswerTest, ATorqueWithoutAModuleHasAnEffectOrANote) {
+  const std::string set = "[planetary]\nsun = 20\nplanet = 25\nring = 70\nspeed_rpm = 100\n";
+  for (const char* load : {"torque_Nm = 10\n", "power_kW = 1\n"}) {
+    const DriveJob without = testing::taken(solve_drive(drive_job(set + load)));
+    ASSERT_EQ(without.drive.findings.size(), 1u);
+    EXPECT_EQ(without.drive.findings.front().code, WarningCode::not_read);
+    EXPECT_NE(without.drive.findings.front().message.find(
+                  "the efficiencies of sun_planet and planet_ring are unknown; give "
+                  "mesh_efficiency, or give normal_module_mm"),
+              std::string::npos)
+        << without.drive.findings.front().message;
+    for (const char* known : {"mesh_efficiency = 0.99\n", "friction_coefficient = 0\n"}) {
+      const DriveJob made = testing::taken(solve_drive(drive_job(set + load + known)));
+      EXPECT_TRUE(made.drive.findings.empty());
+      ASSERT_TRUE(made.drive.flow) << known;
+      if (std::string(known).starts_with("friction")) {
+        EXPECT_NEAR(made.drive.flow->torque[made.drive.graph.output], -4.5, 1e-12);
+        EXPECT_NEAR(made.drive.flow->efficiency, 1.0, 1e-12);
+      }
+    }
+  }
+  EXPECT_TRUE(testing::taken(solve_drive(drive_job(set))).drive.findings.empty());
+}
+
 // A drive that its files cannot contain, because the gears do not fit together, is red. If the
 // directions of a loop are not given, other positions of its axes may be possible.
 TEST(DriveAnswerTest, DrivesThatCannotBeAssembledAreRed) {

@@ -56,6 +56,34 @@ std::optional<Error> find_halves(Drive& drive) {
   return std::nullopt;
 }
 
+// Returns a note if the torque of the input has no effect, because the power flow is unknown.
+// Redundant meshes and impossible teeth have findings of their own.
+std::optional<Warning> unused_torque(const Json& tree, const Drive& drive) {
+  if (!drive.graph.torque_Nm || drive.flow || !drive.motion.redundant.empty() ||
+      !drive.geometry.faults.empty())
+    return std::nullopt;
+  std::vector<std::string> unknown;
+  bool teeth = true;  // true if all meshes with an unknown efficiency have teeth
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    if (drive.efficiencies[m]) continue;
+    const DriveMesh& mesh = drive.graph.meshes[m];
+    unknown.push_back(printable(mesh.name));
+    teeth = teeth && drive.graph.gear(mesh, 0).spec;
+  }
+  std::string why = "the speeds of the inputs are not given; give speed_rpm";
+  if (!unknown.empty())
+    why = fmt::format("the efficienc{} of {} {} unknown; give {}{}",
+                      unknown.size() == 1 ? "y" : "ies", enumerated(unknown),
+                      unknown.size() == 1 ? "is" : "are",
+                      tree.contains("drive") ? "efficiency in [[drive.mesh]]" : "mesh_efficiency",
+                      teeth ? ""
+                            : ", or give normal_module_mm, so that the efficiency is computed from "
+                              "the teeth");
+  return Warning{WarningCode::not_read,
+                 fmt::format("The torque or power of the input has no effect, because {}.", why),
+                 0};
+}
+
 }  // namespace
 
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
@@ -106,6 +134,8 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.places = std::move(places).take();
   }
   if (layout) job.layout = std::move(layout).take();
+  if (auto note = unused_torque(spec.tree->tables, job.drive))
+    job.drive.findings.push_back(std::move(*note));
   // In every table of a drive, the members of a gear or a rack have the same keys as in [gear2].
   for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear2");
   job.verdict = judge(job);
