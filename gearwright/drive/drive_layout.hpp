@@ -51,6 +51,10 @@ struct DriveLayout {
 ///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be made or mounted
 Result<DriveLayout> drive_layout(const Drive& drive);
 
+/// Returns a finding for each mesh whose gears share less of their faces in the layout than the
+/// results assume. The cause is a gear that meshes with gears in several slots and is too narrow.
+std::vector<Warning> partial_faces(const Drive& drive, const DriveLayout& layout);
+
 /// Returns the unit vector along a placed rack. If the pinion turns counter-clockwise, the rack
 /// moves opposite to this vector.
 Vec2 along_rack(const PlacedGear& rack);

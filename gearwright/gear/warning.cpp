@@ -366,6 +366,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "which the other results of the rating apply"},
     {C::torque_of_rating, "torque_of_rating", kNote,
      "[load] gives no torque, so the verb `load` uses the nominal torque of [rating]"},
+    {C::partial_face, "partial_face", kCaution,
+     "a gear of a drive meshes with gears in several planes and is too narrow to cover their "
+     "faces; the message gives the least face width (verb `drive`)",
+     "a gear that meshes in several planes is too narrow"},
 }};
 
 constexpr bool each_has_its_row() {

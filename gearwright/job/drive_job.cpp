@@ -133,7 +133,11 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.drive.findings.insert(job.drive.findings.end(), notes.begin(), notes.end());
     job.places = std::move(places).take();
   }
-  if (layout) job.layout = std::move(layout).take();
+  if (layout) {
+    const auto findings = partial_faces(job.drive, *layout);
+    job.drive.findings.insert(job.drive.findings.end(), findings.begin(), findings.end());
+    job.layout = std::move(layout).take();
+  }
   if (auto note = unused_torque(spec.tree->tables, job.drive))
     job.drive.findings.push_back(std::move(*note));
   // In every table of a drive, the members of a gear or a rack have the same keys as in [gear2].
