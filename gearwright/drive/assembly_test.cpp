@@ -94,10 +94,12 @@ TEST(Assembly, EvenSetsStandInPairs) {
 
 // The order in which a spec lists the positions has no effect on the spacing.
 TEST(Assembly, PositionsInAnyOrderAreAtEqualPitch) {
-  for (const auto& [positions, equal] :
-       {std::pair{std::vector{0.0, 120.0, 240.0}, true}, {{0.0, 240.0, 120.0}, true},
-        {{0.0, -120.0, 120.0}, true}, {{120.0, 0.0, 240.0}, true}, {{0.0, 100.0, 240.0}, false},
-        {{0.0, 120.0, 120.0}, false}}) {
+  for (const auto& [positions, equal] : {std::pair{std::vector{0.0, 120.0, 240.0}, true},
+                                         {{0.0, 240.0, 120.0}, true},
+                                         {{0.0, -120.0, 120.0}, true},
+                                         {{120.0, 0.0, 240.0}, true},
+                                         {{0.0, 100.0, 240.0}, false},
+                                         {{0.0, 120.0, 120.0}, false}}) {
     DriveGraph g = graph({{M::sun, 20}, {M::planet, 25}, {M::ring, 70}}, 3);
     for (DriveBody& body : g.bodies)
       if (body.carrier) body.positions_deg = positions;

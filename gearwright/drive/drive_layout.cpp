@@ -48,6 +48,8 @@ class Layout {
     return std::move(made_);
   }
 
+  const Misfit& misfit() const { return misfit_; }
+
  private:
   // Turns a rack towards its pinion, and moves it along its datum line by φ/2π pitches. If the
   // number of teeth is even, a space is in the middle of the rack.
@@ -137,17 +139,21 @@ class Layout {
         }
       }
     }
-    for (const DriveMesh& mesh : graph_.meshes)
-      if (!meets(placed(mesh, 0)))
-        return Error{
-            "drive.mesh", mesh.name,
-            "this mesh closes a loop of gears whose teeth do not mesh at these angles of the shafts"};
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      if (meets(placed(graph_.meshes[m], 0))) continue;
+      misfit_.mesh = m;
+      return Error{"drive.mesh", graph_.meshes[m].name,
+                   "this mesh closes a loop of gears whose teeth do not mesh at these angles of "
+                   "the shafts"};
+    }
     for (const PlanetSet& set : drive_.sets)
       for (int copy = 1; copy < set.group.count; ++copy)
-        if (!turn_copy(set, copy))
+        if (!turn_copy(set, copy)) {
+          misfit_.planet = set.group.riders.front();
           return Error{
               "drive.body", graph_.bodies[set.group.riders.front()].name,
               fmt::format("the teeth of planet {} do not mesh with all central gears", copy + 1)};
+        }
     return std::nullopt;
   }
 
@@ -251,6 +257,7 @@ class Layout {
   const Drive& drive_;
   const DriveGraph& graph_;
   DriveLayout made_;
+  Misfit misfit_;
   std::vector<std::size_t> first_;  // for each gear: index of its copy 0 in made_.gears
   std::vector<double> phi_;         // φ of each placed gear in the section z = 0
   std::vector<char> known_;
@@ -291,7 +298,7 @@ Vec2 DriveLayout::axis_at(const Drive& drive, std::size_t placed, double height)
          std::tan(rack->rack.helix_angle.rad()) * (height - gear.height) * along_rack(gear);
 }
 
-Result<DriveLayout> drive_layout(const Drive& drive) {
+Result<DriveLayout> drive_layout(const Drive& drive, Misfit* misfit) {
   const auto& gears = drive.geometry.gears;
   const auto& faults = drive.geometry.faults;
   std::string why = faults.empty() ? "some gears cannot be mounted" : faults.front().message;
@@ -304,10 +311,13 @@ Result<DriveLayout> drive_layout(const Drive& drive) {
                    "has no teeth to be drawn, because its module is unknown; give "
                    "the module"};
   }
-  auto places = drive_places(drive);
+  auto places = drive_places(drive, misfit);
   if (!places) return places.error();
   if (!places->true_scale) return Error{"drive.mesh", "", why};
-  return Layout(drive, std::move(places).take()).layout();
+  Layout layout(drive, std::move(places).take());
+  auto made = layout.layout();
+  if (misfit) *misfit = layout.misfit();
+  return made;
 }
 
 std::vector<Warning> partial_faces(const Drive& drive, const DriveLayout& layout) {

@@ -81,6 +81,9 @@ class Placing {
     return std::move(made_);
   }
 
+  /// What does not fit. Empty if places() has no error.
+  const Misfit& misfit() const { return misfit_; }
+
  private:
   // If all meshes are mounted, the geometry gives the centre distances. Otherwise, the function
   // computes them from the numbers of teeth.
@@ -175,6 +178,7 @@ class Placing {
     for (const PlanetSet& set : drive_.sets) {
       std::optional<GeometryFault> fault;
       const auto riders = rider_places(graph_, set.group, distances_, fault);
+      if (!riders) misfit_.planet = set.group.riders.front();
       if (!riders)
         return Error{"drive.body", graph_.bodies[set.group.riders.front()].name,
                      fault ? fault->message : "this planet has no possible place on its carrier"};
@@ -188,7 +192,8 @@ class Placing {
     return std::nullopt;
   }
 
-  std::optional<Error> unmeet(std::size_t mesh, const std::string& why) const {
+  std::optional<Error> unmeet(std::size_t mesh, const std::string& why) {
+    misfit_.mesh = mesh;
     return Error{"drive.mesh", graph_.meshes[mesh].name, why};
   }
 
@@ -283,6 +288,7 @@ class Placing {
   const Drive& drive_;
   const DriveGraph& graph_;
   DrivePlaces made_;
+  Misfit misfit_;
   std::vector<std::optional<double>> distances_;
   std::vector<std::size_t> axis_;  // for each body: the least index of a body on the same axis
 };
@@ -309,30 +315,30 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear) {
   return nullptr;
 }
 
-std::optional<Warning> assembly_fault(const Drive& drive, const Error& why) {
+std::optional<Warning> assembly_fault(const Drive& drive, const Misfit& misfit, const Error& why) {
   const DriveGraph& graph = drive.graph;
-  const auto mesh = std::find_if(graph.meshes.begin(), graph.meshes.end(), [&](const DriveMesh& m) {
-    return why.field == "drive.mesh" && m.name == why.value;
-  });
-  bool certain = why.field == "drive.body";
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m)  // the distances must be those of the teeth
-    certain = certain && (drive.geometry.pairs[m] || drive.geometry.racks[m]);
-  if (mesh != graph.meshes.end()) {
+  const auto mounted = [&](std::size_t m) {
+    return drive.geometry.pairs[m].has_value() || drive.geometry.racks[m].has_value();
+  };
+  bool certain = false;
+  if (misfit.mesh) {
+    const DriveMesh& mesh = graph.meshes[*misfit.mesh];
     const auto axis = axes_of(graph);
-    const auto m = static_cast<std::size_t>(mesh - graph.meshes.begin());
-    const bool mounted = drive.geometry.pairs[m] || drive.geometry.racks[m];
-    const bool same = axis[graph.gear(*mesh, 0).body] == axis[graph.gear(*mesh, 1).body];
-    certain = !graph.frame(*mesh) && same;
-    certain = certain || (mounted && has_determined_axes(graph, m));
+    const bool same = axis[graph.gear(mesh, 0).body] == axis[graph.gear(mesh, 1).body];
+    certain = (same && !graph.frame(mesh)) ||
+              (mounted(*misfit.mesh) && has_determined_axes(graph, *misfit.mesh));
+  } else if (misfit.planet) {  // the distances must be those of the teeth
+    certain = true;
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m) certain = certain && mounted(m);
   }
   if (!certain) return std::nullopt;
-  return Warning{WarningCode::not_coaxial, no_assembly(why), 0};
+  return Warning{WarningCode::not_coaxial, no_assembly(misfit, why), 0};
 }
 
-std::string no_assembly(const Error& why) {
+std::string no_assembly(const Misfit& misfit, const Error& why) {
   std::string rule = why.rule;
   while (rule.ends_with('.')) rule.pop_back();
-  const char* const joint = why.value.empty() ? "" : why.field == "drive.gear" ? " " : ": ";
+  const char* const joint = why.value.empty() ? "" : misfit.any() ? ": " : " ";
   return fmt::format("The drive cannot be assembled: {}{}{}.", why.value, joint, rule);
 }
 
@@ -366,6 +372,11 @@ std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces&
   return notes;
 }
 
-Result<DrivePlaces> drive_places(const Drive& drive) { return Placing(drive).places(); }
+Result<DrivePlaces> drive_places(const Drive& drive, Misfit* misfit) {
+  Placing placing(drive);
+  auto made = placing.places();
+  if (misfit) *misfit = placing.misfit();
+  return made;
+}
 
 }  // namespace gearwright

@@ -130,14 +130,14 @@ TEST(DriveAnswerTest, DrivesThatCannotBeAssembledAreRed) {
           "2\n",
           bodies[g], teeth[g]);
     for (const auto& [gears, keys] : meshes)
-      text += fmt::format("[[drive.mesh]]\ngears = [\"{}\", \"{}\"]\n{}\n", gears[0], gears[1],
-                          keys);
+      text +=
+          fmt::format("[[drive.mesh]]\ngears = [\"{}\", \"{}\"]\n{}\n", gears[0], gears[1], keys);
     return testing::taken(solve_drive(drive_job(text)));
   };
   const auto loop = [&](const std::string& angle, const std::string& opposite) {
-    return drive("abcd", "2332",
-                 {{"ab", "angle_deg = 60"}, {"ac", "angle_deg = -60"}, {"bd", angle},
-                  {"cd", opposite}});
+    return drive(
+        "abcd", "2332",
+        {{"ab", "angle_deg = 60"}, {"ac", "angle_deg = -60"}, {"bd", angle}, {"cd", opposite}});
   };
   for (const auto& [job, words] :
        {std::pair{drive("abr", "232", {{"ab", ""}, {"rb", ""}}), "a_b: the two gears of this mesh"},

@@ -115,18 +115,20 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.drive.contacts = mesh_contacts(job.drive, errors);
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
-  auto places = drive_places(job.drive);
-  auto layout = drive_layout(job.drive);
+  Misfit of_places, of_layout;
+  auto places = drive_places(job.drive, &of_places);
+  auto layout = drive_layout(job.drive, &of_layout);
   if (!layout) {
     const Error& why = layout.error();
-    job.why_no_layout = no_assembly(why);
+    job.why_no_layout = no_assembly(of_layout, why);
     const bool named = spec.tree->tables.contains("drive") && !why.value.empty();
-    const char* const begin =
-        why.field == "drive.gear" ? "" : "the drive cannot be assembled, because ";
-    job.layout_error = named ? Error{why.field, why.value, begin + why.rule}
-                             : Error{"", "", job.why_no_layout};
-    if (auto fault = assembly_fault(job.drive, places ? why : places.error()))
-      job.drive.findings.push_back(std::move(*fault));
+    const char* const begin = of_layout.any() ? "the drive cannot be assembled, because " : "";
+    job.layout_error =
+        named ? Error{why.field, why.value, begin + why.rule} : Error{"", "", job.why_no_layout};
+    // Without a module, there is no layout, but the places can show what does not fit.
+    auto fault = places ? assembly_fault(job.drive, of_layout, why)
+                        : assembly_fault(job.drive, of_places, places.error());
+    if (fault) job.drive.findings.push_back(std::move(*fault));
   }
   if (places) {
     const auto notes = shafts_through_gears(job.drive, *places);

@@ -47,9 +47,7 @@ void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec
       };
       if (in(possible) && !in(present))
         throw SpecError{{t.name(key) + "." + part, shown(value),
-                         fmt::format("is not a {} of this set; its {}{} {} {}", what, what,
-                                     present.size() == 1 ? "" : what[0] == 'm' ? "es" : "s",
-                                     present.size() == 1 ? "is" : "are",
+                         fmt::format("is not a {} of this set; the names are {}", what,
                                      fmt::join(present, ", "))}};
     }
   };
@@ -229,9 +227,8 @@ std::string key_of_mesh(const Json& tree, const std::string& name, const std::st
     const Json& stage = tree["stage"][k - 1];
     const std::string prefix = fmt::format("s{}_", k);
     if (!name.starts_with(prefix) || !stage.contains("planetary")) continue;
-    return fmt::format("stage[{}]{}.{}.{}", k,
-                       stage["planetary"].contains(key) ? ".planetary" : "", key,
-                       name.substr(prefix.size()));
+    return fmt::format("stage[{}]{}.{}.{}", k, stage["planetary"].contains(key) ? ".planetary" : "",
+                       key, name.substr(prefix.size()));
   }
   contract_failed("precondition", "a mesh with its own number", __FILE__, __LINE__);
 }

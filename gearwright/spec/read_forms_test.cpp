@@ -130,15 +130,15 @@ TEST(ReadForms, names_of_gears_and_meshes_that_the_set_has) {
   for (const char* key : {"profile_shift", "bore_mm"})
     EXPECT_EQ(refused_form(kSet + key + " = { sun = 0.2, sun2 = 0.2 }\n"),
               std::string("planetary.") + key +
-                  ".sun2 = 0.2: is not a gear of this set; its gears are sun, planet, ring");
+                  ".sun2 = 0.2: is not a gear of this set; the names are sun, planet, ring");
   for (const char* key : {"center_distance_mm", "mesh_efficiency"})
     EXPECT_EQ(refused_form(kSet + key + " = { sun2_planet = 0.5 }\n"),
               std::string("planetary.") + key +
-                  ".sun2_planet = 0.5: is not a mesh of this set; its meshes are sun_planet, "
+                  ".sun2_planet = 0.5: is not a mesh of this set; the names are sun_planet, "
                   "planet_ring");
-  EXPECT_EQ(refused_form(kSet + "material = { sun2 = \"16MnCr5\" }\n")
-                .find("planetary.material.sun2"),
-            0u);
+  EXPECT_EQ(
+      refused_form(kSet + "material = { sun2 = \"16MnCr5\" }\n").find("planetary.material.sun2"),
+      0u);
   EXPECT_EQ(refused_form("[planetary]\nsun = 20\nring = 80\nprofile_shift = { planet = 0.1 }\n"),
             "");
 }
