@@ -79,10 +79,15 @@ int end_run(const Options& o, UnitSystem units, const RunFiles& made, const std:
 }
 
 int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs::path& out,
-              const FileOptions& options) {
-  const auto job = solve_whole_drive(spec, {.contact = Wanted::yes});
-  if (!job) return door.fail(job.error());
-  const auto made = write_drive_files(*job, out, options);
+              FileOptions options) {
+  std::optional<DriveJob> job;
+  const auto made = watched("run", [&](Progress* h) -> Result<RunFiles> {
+    options.progress = h;
+    auto solved = solve_whole_drive(spec, {.contact = Wanted::yes}, h);
+    if (!solved) return solved.error();
+    job = std::move(solved).take();
+    return write_drive_files(*job, out, options);
+  });
   if (!made) return door.fail(made.error());
   return end_run(o, spec.units(), *made, drive_listing(job->drive, spec.units()),
                  job->drive.findings);
@@ -165,15 +170,16 @@ int run_verb(const Options& o) {
     out += "_out";
   }
   if (spec->drive) return run_drive(o, door, *spec, out, options);
-  auto solved = solve_any(*spec, Scope::everything);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  const auto made = watched("run", [&](Progress* h) {
+  std::optional<SolvedJob> job;
+  const auto made = watched("run", [&](Progress* h) -> Result<RunFiles> {
     options.progress = h;
-    return write_everything(job, out, options);
+    auto solved = solve_any(*spec, Scope::everything);
+    if (!solved) return solved.error();
+    job = std::move(solved).take();
+    return write_everything(*job, out, options);
   });
   if (!made) return door.fail(made.error());
-  return end_run(o, spec->units(), *made, gear_listing(job) + pair_listing(job), job.warnings);
+  return end_run(o, spec->units(), *made, gear_listing(*job) + pair_listing(*job), job->warnings);
 }
 
 int export_verb(const Options& o) {

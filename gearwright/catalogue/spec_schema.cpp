@@ -92,7 +92,8 @@ Json value_schema(const Key& key) {
                                                     : any_of(elements)},
                {"minItems", key.list->least},
                {"maxItems", key.list->most}};
-    if (key.kind == KeyKind::word) array["uniqueItems"] = true;
+    const bool names = key.kind == KeyKind::text && key.list->single && key.list->most > 1;
+    if (key.kind == KeyKind::word || names) array["uniqueItems"] = true;
     list.push_back(std::move(array));
   } else {
     list.insert(list.end(), elements.begin(), elements.end());

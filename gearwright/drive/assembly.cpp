@@ -142,11 +142,15 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
   return turns;
 }
 
+// True if the turns, which are in [0, 1), are the multiples of 1/N in any order.
 bool equal_pitch(const std::vector<Rational>& turns) {
-  for (std::size_t i = 0; i < turns.size(); ++i) {
-    const Rational want =
-        Rational::of(static_cast<long long>(i), static_cast<long long>(turns.size()));
-    if (!(turns[i] == want)) return false;
+  std::vector<char> taken(turns.size(), 0);
+  for (const Rational& u : turns) {
+    const Rational pitches = u * Rational(static_cast<long long>(turns.size()));
+    if (!pitches.whole()) return false;
+    char& here = taken[static_cast<std::size_t>(*pitches.numerator())];
+    if (here) return false;
+    here = 1;
   }
   return true;
 }

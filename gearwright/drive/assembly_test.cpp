@@ -10,6 +10,7 @@
 #include <random>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/drive/drive.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/rational.hpp"
 #include "gearwright/drive/short_forms.hpp"
@@ -89,6 +90,28 @@ TEST(Assembly, EvenSetsStandInPairs) {
   EXPECT_FALSE(a.equal);
   for (const std::size_t i : {0u, 1u})
     EXPECT_TRUE(a.turns[i + 2] == a.turns[i] + Rational::of(1, 2));
+}
+
+// The order in which a spec lists the positions has no effect on the spacing.
+TEST(Assembly, PositionsInAnyOrderAreAtEqualPitch) {
+  for (const auto& [positions, equal] : {std::pair{std::vector{0.0, 120.0, 240.0}, true},
+                                         {{0.0, 240.0, 120.0}, true},
+                                         {{0.0, -120.0, 120.0}, true},
+                                         {{120.0, 0.0, 240.0}, true},
+                                         {{0.0, 100.0, 240.0}, false},
+                                         {{0.0, 120.0, 120.0}, false}}) {
+    DriveGraph g = graph({{M::sun, 20}, {M::planet, 25}, {M::ring, 70}}, 3);
+    for (DriveBody& body : g.bodies)
+      if (body.carrier) body.positions_deg = positions;
+    EXPECT_EQ(assembled(g).equal, equal) << positions[1] << " " << positions[2];
+    const Drive drive = testing::taken(make_drive({g, {}}));
+    if (equal) {
+      EXPECT_TRUE(drive.findings.empty());
+      continue;
+    }
+    ASSERT_EQ(drive.findings.size(), 1u);
+    EXPECT_NE(drive.findings.front().message.find("the given positions"), std::string::npos);
+  }
 }
 
 TEST(Assembly, ClockedPlanetsMeshAnywhere) {

@@ -41,6 +41,10 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
     const auto eta = rack ? rack->efficiency : pair ? pair->efficiency : std::nullopt;
     if (eta && eta->gear1_drives && eta->gear2_drives)
       list.back() = MeshEfficiency{*eta->gear1_drives, *eta->gear2_drives};
+    // Without friction, no teeth have losses, so the teeth need not be known.
+    const bool known_teeth = graph.gear(graph.meshes[m], 0).spec.has_value();
+    if (!known_teeth && graph.meshes[m].friction.value_or(graph.friction) == 0.0)
+      list.back() = MeshEfficiency{1.0, 1.0};
   }
   return list;
 }
@@ -207,11 +211,16 @@ void find_facts(Drive& drive) {
                                                : fmt::format("{} positions", set.assembly.places)));
       continue;
     }
-    if (!set.assembly.equal && set.group.count > 1)
-      say(WarningCode::unequal_spacing,
-          fmt::format("{} copies of {} are unequally spaced, because their teeth mesh at only {} "
-                      "positions per revolution.",
-                      set.group.count, planet, set.assembly.places));
+    if (set.assembly.equal || set.group.count == 1) continue;
+    const auto& riders = set.group.riders;
+    const bool given = std::any_of(riders.begin(), riders.end(), [&](std::size_t body) {
+      return !drive.graph.bodies[body].positions_deg.empty();
+    });
+    say(WarningCode::unequal_spacing,
+        fmt::format("{} copies of {} are unequally spaced, because {}.", set.group.count, planet,
+                    given ? std::string("the given positions are not at equal pitch")
+                          : fmt::format("their teeth mesh at only {} positions per revolution",
+                                        set.assembly.places)));
   }
   if (!drive.motion.redundant.empty())
     say(WarningCode::redundant_meshes,
@@ -339,6 +348,7 @@ std::optional<double> Drive::frequency_ratio(std::size_t mesh) const {
 Result<Drive> make_drive(const DriveInput& input) {
   const DriveGraph given = normalised(input.graph);
   if (auto error = check_graph(given)) return *error;
+  if (auto error = check_distances(given)) return *error;
   Drive drive;
   drive.graph = with_backlash(given);
   auto motion = drive_motion(drive.graph);

@@ -185,7 +185,7 @@ struct DriveInput {
 
 /// Computes the drive of a graph. The load and the ratings are not included.
 ///
-/// Errors    as check_graph, drive_motion, power_flow and assemble
+/// Errors    as check_graph, check_distances, drive_motion, power_flow and assemble
 Result<Drive> make_drive(const DriveInput& input);
 
 }  // namespace gearwright

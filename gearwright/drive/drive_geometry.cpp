@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/drive/geometry_remedy.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
@@ -302,6 +303,26 @@ class MeshMounting {
 };
 
 }  // namespace
+
+std::optional<Error> check_distances(const DriveGraph& graph) {
+  constexpr double kSame = 1e-6;  // mm; a rounding error, far below any tolerance
+  for (const auto& meshes : distance_classes(graph)) {
+    const DriveMesh* first = nullptr;
+    for (const std::size_t m : meshes) {
+      const DriveMesh& mesh = graph.meshes[m];
+      if (!mesh.center_distance) continue;
+      if (!first) first = &mesh;
+      if (std::abs(*mesh.center_distance - *first->center_distance) <= kSame) continue;
+      return refused(
+          fmt::format("drive.mesh[\"{}\"].center_distance", mesh.name), *mesh.center_distance,
+          fmt::format("contradicts the centre distance of {} mm that is given for the mesh {}, "
+                      "because the axis of a planet has the same distance from all coaxial gears; "
+                      "leave out one of the two",
+                      format_number(*first->center_distance, *mesh.center_distance), first->name));
+    }
+  }
+  return std::nullopt;
+}
 
 DriveGeometry drive_geometry(const DriveGraph& graph) {
   DriveGeometry made;

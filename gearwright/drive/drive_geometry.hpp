@@ -45,6 +45,14 @@ struct DriveGeometry {
   bool touches(std::size_t mesh) const;  ///< true if the mesh is mounted and its flanks touch
 };
 
+/// Checks that the given centre distances of the meshes of a planet with central gears are equal,
+/// because these gears are coaxial with the carrier.
+///
+/// Errors    `drive.mesh["sun_planet"].center_distance`, with the name of a mesh, if its distance
+///           differs from that of an earlier mesh of the planet
+/// Domain    a checked graph (contract)
+std::optional<Error> check_distances(const DriveGraph& graph);
+
 /// Computes absent shifts from distances, and absent distances from shifts, as complete_shifts()
 /// does.
 ///

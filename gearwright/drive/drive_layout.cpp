@@ -19,6 +19,14 @@ double direction(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 // Returns the difference of a phase from the nearest whole number of periods, −π … π.
 double off_phase(double phase) { return std::remainder(phase, kTurn); }
 
+// Returns the whole face width of a gear or a rack, or 0 if it is unknown.
+double face_of(const Drive& drive, std::size_t g) {
+  const auto& gear = drive.geometry.gears[g];
+  if (gear) return gear->whole_face(gear->spec.face_width);
+  const RackPair* rack = rack_pair_of(drive, g);
+  return rack ? rack->rack.face_width : 0.0;
+}
+
 class Layout {
  public:
   Layout(const Drive& drive, DrivePlaces places) : drive_(drive), graph_(drive.graph) {
@@ -39,6 +47,8 @@ class Layout {
     }
     return std::move(made_);
   }
+
+  const Misfit& misfit() const { return misfit_; }
 
  private:
   // Turns a rack towards its pinion, and moves it along its datum line by φ/2π pitches. If the
@@ -129,17 +139,21 @@ class Layout {
         }
       }
     }
-    for (const DriveMesh& mesh : graph_.meshes)
-      if (!meets(placed(mesh, 0)))
-        return Error{
-            "drive.mesh", mesh.name,
-            "closes a loop of gears whose teeth do not mesh at these angles of the shafts"};
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
+      if (meets(placed(graph_.meshes[m], 0))) continue;
+      misfit_.mesh = m;
+      return Error{"drive.mesh", graph_.meshes[m].name,
+                   "this mesh closes a loop of gears whose teeth do not mesh at these angles of "
+                   "the shafts"};
+    }
     for (const PlanetSet& set : drive_.sets)
       for (int copy = 1; copy < set.group.count; ++copy)
-        if (!turn_copy(set, copy))
+        if (!turn_copy(set, copy)) {
+          misfit_.planet = set.group.riders.front();
           return Error{
               "drive.body", graph_.bodies[set.group.riders.front()].name,
               fmt::format("the teeth of planet {} do not mesh with all central gears", copy + 1)};
+        }
     return std::nullopt;
   }
 
@@ -206,12 +220,6 @@ class Layout {
     const auto& slots = made_.places.slots;
     std::vector<double> from, to;
     double module = 0.0;
-    const auto face_of = [&](std::size_t g) {
-      const auto& gear = drive_.geometry.gears[g];
-      if (gear) return gear->whole_face(gear->spec.face_width);
-      const RackPair* rack = rack_pair_of(drive_, g);
-      return rack ? rack->rack.face_width : 0.0;
-    };
     for (const auto& gear : drive_.geometry.gears)
       if (gear) module = std::max(module, gear->spec.normal_module);
     double at = 0.0;
@@ -219,7 +227,7 @@ class Layout {
       double alone = 0.0, any = 0.0;
       for (std::size_t g = 0; g < slots.size(); ++g) {
         if (slots[g].first > slot || slots[g].last < slot) continue;
-        const double face = face_of(g);
+        const double face = face_of(drive_, g);
         any = std::max(any, face);
         if (slots[g].first == slots[g].last) alone = std::max(alone, face);
       }
@@ -249,6 +257,7 @@ class Layout {
   const Drive& drive_;
   const DriveGraph& graph_;
   DriveLayout made_;
+  Misfit misfit_;
   std::vector<std::size_t> first_;  // for each gear: index of its copy 0 in made_.gears
   std::vector<double> phi_;         // φ of each placed gear in the section z = 0
   std::vector<char> known_;
@@ -289,7 +298,7 @@ Vec2 DriveLayout::axis_at(const Drive& drive, std::size_t placed, double height)
          std::tan(rack->rack.helix_angle.rad()) * (height - gear.height) * along_rack(gear);
 }
 
-Result<DriveLayout> drive_layout(const Drive& drive) {
+Result<DriveLayout> drive_layout(const Drive& drive, Misfit* misfit) {
   const auto& gears = drive.geometry.gears;
   const auto& faults = drive.geometry.faults;
   std::string why = faults.empty() ? "some gears cannot be mounted" : faults.front().message;
@@ -302,10 +311,53 @@ Result<DriveLayout> drive_layout(const Drive& drive) {
                    "has no teeth to be drawn, because its module is unknown; give "
                    "the module"};
   }
-  auto places = drive_places(drive);
+  auto places = drive_places(drive, misfit);
   if (!places) return places.error();
   if (!places->true_scale) return Error{"drive.mesh", "", why};
-  return Layout(drive, std::move(places).take()).layout();
+  Layout layout(drive, std::move(places).take());
+  auto made = layout.layout();
+  if (misfit) *misfit = layout.misfit();
+  return made;
+}
+
+std::vector<Warning> partial_faces(const Drive& drive, const DriveLayout& layout) {
+  constexpr double kSameFace = 1e-9;  // relative rounding error of a face width
+  const DriveGraph& graph = drive.graph;
+  std::vector<double> height(graph.gears.size(), 0.0);
+  for (const PlacedGear& placed : layout.gears) height[placed.gear] = placed.height;
+  const auto spans = [&](std::size_t g) {
+    return layout.places.slots[g].first < layout.places.slots[g].last;
+  };
+  // Returns the least face width with which a gear covers the faces of all its mating gears.
+  const auto needed = [&](std::size_t g) {
+    double half = 0.0;
+    for (const DriveMesh& mesh : graph.meshes)
+      for (const std::size_t side : {0, 1})
+        if (mesh.gears[side] == g) {
+          const std::size_t mate = mesh.gears[1 - side];
+          half = std::max(half, std::abs(height[mate] - height[g]) + face_of(drive, mate) / 2);
+        }
+    return 2 * half;
+  };
+  std::vector<Warning> findings;
+  for (const DriveMesh& mesh : graph.meshes) {
+    const auto [a, b] = mesh.gears;
+    const double b_a = face_of(drive, a), b_b = face_of(drive, b);
+    const double common = std::min(height[a] + b_a / 2, height[b] + b_b / 2) -
+                          std::max(height[a] - b_a / 2, height[b] - b_b / 2);
+    const double computed = std::min(b_a, b_b);
+    if (common > computed * (1 - kSameFace)) continue;
+    const std::size_t wide = spans(a) ? a : b;
+    findings.push_back(
+        {WarningCode::partial_face,
+         fmt::format("In the mesh {}, the gears share {:.4f} mm of their faces, but the results "
+                     "are for {:.4f} mm, because {} meshes with gears in several planes. Give {} "
+                     "the `face_width` {:.4f} mm.",
+                     mesh.name, std::max(common, 0.0), computed, graph.gears[wide].name,
+                     graph.gears[wide].name, needed(wide)),
+         0});
+  }
+  return findings;
 }
 
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns) {

@@ -49,7 +49,12 @@ struct DriveLayout {
 ///
 /// Errors    as drive_places(); `drive.gear` if the module of a gear is unknown; `drive.mesh` or
 ///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be made or mounted
-Result<DriveLayout> drive_layout(const Drive& drive);
+/// `misfit`  as for drive_places(); if the teeth do not mesh, gets their mesh or planet
+Result<DriveLayout> drive_layout(const Drive& drive, Misfit* misfit = nullptr);
+
+/// Returns a finding for each mesh whose gears share less of their faces in the layout than the
+/// results assume. The cause is a gear that meshes with gears in several slots and is too narrow.
+std::vector<Warning> partial_faces(const Drive& drive, const DriveLayout& layout);
 
 /// Returns the unit vector along a placed rack. If the pinion turns counter-clockwise, the rack
 /// moves opposite to this vector.

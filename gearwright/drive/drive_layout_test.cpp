@@ -337,6 +337,41 @@ TEST(DriveLayout, AShaftWithinAGearIsANote) {
   }
 }
 
+// The second wheel of an idler would cut the pinion in one plane, so the idler meshes in two planes.
+// With the width that the finding gives, the idler covers both gears.
+TEST(DriveLayout, AnIdlerInTwoPlanesIsTooNarrow) {
+  const auto idler = [](double face_width) {
+    DriveGraph graph;
+    for (const auto& [name, teeth] : {std::pair{"A", 20}, {"B", 30}, {"C", 40}}) {
+      graph.bodies.push_back({name, std::nullopt, 1, {}});
+      CylindricalSpec spec;
+      spec.normal_module = 2.0;
+      spec.face_width = teeth == 30 ? face_width : 20.0;
+      graph.gears.push_back({name, graph.bodies.size() - 1, teeth, std::nullopt, spec, 0.0});
+    }
+    graph.meshes.push_back({"A_B", {0, 1}, std::nullopt, std::nullopt});
+    graph.meshes.push_back({"B_C", {1, 2}, std::nullopt, std::nullopt});
+    graph.meshes.back().direction = Angle::degrees(180);
+    graph.inputs = {0};
+    graph.output = 2;
+    const Drive drive = testing::taken(make_drive({graph, {}}));
+    return partial_faces(drive, laid(drive));
+  };
+  const auto findings = idler(20.0);
+  ASSERT_EQ(findings.size(), 2u);
+  for (const Warning& w : findings) {
+    EXPECT_EQ(w.code, WarningCode::partial_face);
+    EXPECT_NE(w.message.find("share 8.0000 mm of their faces"), std::string::npos) << w.message;
+    EXPECT_NE(w.message.find("Give B the `face_width` 44.0000 mm."), std::string::npos);
+  }
+  EXPECT_EQ(idler(43.9).size(), 2u);
+  EXPECT_TRUE(idler(44.0).empty());
+  for (const PlanetarySpec& set : sets()) {
+    const Drive drive = laid_drive(set);
+    EXPECT_TRUE(partial_faces(drive, laid(drive)).empty());
+  }
+}
+
 TEST(DriveLayout, LooksAlikeAfterTheLeastTurn) {
   for (const PlanetarySpec& set : sets()) {
     const Drive drive = laid_drive(set);

@@ -32,6 +32,13 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
+// Returns the first body that the list contains again, or none.
+std::optional<std::size_t> repeated(const Bodies& bodies) {
+  for (auto it = bodies.begin(); it != bodies.end(); ++it)
+    if (std::find(bodies.begin(), it, *it) != it) return *it;
+  return std::nullopt;
+}
+
 // Names the meshes that lock the drive, for example "a_b, c_d". If any one of these meshes is
 // removed, the drive can turn.
 std::string locking_meshes(const DriveGraph& graph) {
@@ -106,6 +113,12 @@ Rational product_of_period(const std::vector<std::vector<Rational>>& speeds,
 }  // namespace
 
 std::optional<Error> ends_error(const DriveGraph& graph) {
+  for (const bool fixed : {true, false}) {
+    const Bodies& list = fixed ? graph.fixed : graph.inputs;
+    if (const auto twice = repeated(list))
+      return Error{fixed ? "drive.fixed" : "drive.input", names(graph, list),
+                   fmt::format("contains {} twice", graph.bodies[*twice].name)};
+  }
   for (const std::size_t in : graph.inputs) {
     if (graph.is_fixed(in))
       return Error{"drive.input", graph.bodies[in].name,

@@ -39,8 +39,8 @@ struct DriveMotion {
 /// Returns the row of a mesh in W.   Domain  a checked graph
 std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
-/// Returns an error with `drive.input` or `drive.output` if an input is fixed or is the output, or if
-/// the output is fixed.
+/// Returns an error with `drive.fixed`, `drive.input` or `drive.output` if a list contains a body
+/// twice, if an input is fixed or is the output, or if the output is fixed.
 std::optional<Error> ends_error(const DriveGraph& graph);
 
 /// Computes the speeds of all bodies, the ratio and the degrees of freedom.

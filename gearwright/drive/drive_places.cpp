@@ -17,6 +17,47 @@ Vec2 polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+// Returns the axis of each body, as the least index of a body on this axis. The central gears that
+// mesh with a planet are on the axis of the carrier of this planet.
+std::vector<std::size_t> axes_of(const DriveGraph& graph) {
+  std::vector<std::size_t> axis;
+  for (std::size_t b = 0; b < graph.bodies.size(); ++b) axis.push_back(b);
+  for (const DriveMesh& mesh : graph.meshes) {
+    const auto frame = graph.frame(mesh);
+    if (!frame) continue;
+    for (const int side : {0, 1}) {
+      const std::size_t body = graph.gear(mesh, side).body;
+      if (graph.bodies[body].carrier) continue;
+      const auto [low, high] = std::minmax(axis[body], axis[*frame]);
+      std::replace(axis.begin(), axis.end(), std::size_t(high), std::size_t(low));
+    }
+  }
+  return axis;
+}
+
+// True if the spec determines the positions of the two axes of a mesh without this mesh. They are
+// determined for planets, for a single axis, if another mesh has the same two axes, and if meshes
+// with given directions link the two axes.
+bool has_determined_axes(const DriveGraph& graph, std::size_t mesh) {
+  if (graph.frame(graph.meshes[mesh])) return true;
+  const std::vector<std::size_t> axis = axes_of(graph);
+  const auto ends = [&](std::size_t m) -> std::pair<std::size_t, std::size_t> {
+    return std::minmax(axis[graph.gear(graph.meshes[m], 0).body],
+                       axis[graph.gear(graph.meshes[m], 1).body]);
+  };
+  const auto own = ends(mesh);
+  std::vector<std::size_t> linked = axis;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    if (m == mesh || graph.frame(graph.meshes[m])) continue;
+    const auto other = ends(m);
+    if (other == own) return true;
+    if (!graph.meshes[m].direction) continue;
+    const std::size_t low = linked[other.first], high = linked[other.second];
+    std::replace(linked.begin(), linked.end(), high, low);
+  }
+  return linked[own.first] == linked[own.second];
+}
+
 class Placing {
  public:
   explicit Placing(const Drive& drive) : drive_(drive), graph_(drive.graph) {}
@@ -33,12 +74,15 @@ class Placing {
                                  pinions)};
     }
     measure();
-    join_coaxial();
+    axis_ = axes_of(graph_);
     if (auto error = place_axes()) return *error;
     if (auto error = place_riders()) return *error;
     find_slots();
     return std::move(made_);
   }
+
+  /// What does not fit. Empty if places() has no error.
+  const Misfit& misfit() const { return misfit_; }
 
  private:
   // If all meshes are mounted, the geometry gives the centre distances. Otherwise, the function
@@ -68,22 +112,6 @@ class Placing {
 
   const DriveGear& gear(std::size_t mesh, int which) const {
     return graph_.gear(graph_.meshes[mesh], which);
-  }
-  bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
-
-  // Puts the central gears that mesh with a planet on the axis of the carrier of this planet.
-  void join_coaxial() {
-    for (std::size_t b = 0; b < graph_.bodies.size(); ++b) axis_.push_back(b);
-    for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
-      const auto frame = graph_.frame(graph_.meshes[m]);
-      if (!frame) continue;
-      for (const int side : {0, 1}) {
-        const std::size_t body = gear(m, side).body;
-        if (rides(body)) continue;
-        const auto [low, high] = std::minmax(axis_[body], axis_[*frame]);
-        std::replace(axis_.begin(), axis_.end(), std::size_t(high), std::size_t(low));
-      }
-    }
   }
 
   struct Link {
@@ -150,9 +178,10 @@ class Placing {
     for (const PlanetSet& set : drive_.sets) {
       std::optional<GeometryFault> fault;
       const auto riders = rider_places(graph_, set.group, distances_, fault);
+      if (!riders) misfit_.planet = set.group.riders.front();
       if (!riders)
         return Error{"drive.body", graph_.bodies[set.group.riders.front()].name,
-                     fault ? fault->message : "has no possible place on its carrier"};
+                     fault ? fault->message : "this planet has no possible place on its carrier"};
       for (std::size_t i = 0; i < riders->size(); ++i) {
         const std::size_t body = set.group.riders[i];
         made_.turned[body] = (*riders)[i].angle;
@@ -163,7 +192,8 @@ class Placing {
     return std::nullopt;
   }
 
-  std::optional<Error> unmeet(std::size_t mesh, const std::string& why) const {
+  std::optional<Error> unmeet(std::size_t mesh, const std::string& why) {
+    misfit_.mesh = mesh;
     return Error{"drive.mesh", graph_.meshes[mesh].name, why};
   }
 
@@ -258,6 +288,7 @@ class Placing {
   const Drive& drive_;
   const DriveGraph& graph_;
   DrivePlaces made_;
+  Misfit misfit_;
   std::vector<std::optional<double>> distances_;
   std::vector<std::size_t> axis_;  // for each body: the least index of a body on the same axis
 };
@@ -282,6 +313,33 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear) {
     if (drive.geometry.racks[m] && drive.graph.meshes[m].gears[1] == gear)
       return &*drive.geometry.racks[m];
   return nullptr;
+}
+
+std::optional<Warning> assembly_fault(const Drive& drive, const Misfit& misfit, const Error& why) {
+  const DriveGraph& graph = drive.graph;
+  const auto mounted = [&](std::size_t m) {
+    return drive.geometry.pairs[m].has_value() || drive.geometry.racks[m].has_value();
+  };
+  bool certain = false;
+  if (misfit.mesh) {
+    const DriveMesh& mesh = graph.meshes[*misfit.mesh];
+    const auto axis = axes_of(graph);
+    const bool same = axis[graph.gear(mesh, 0).body] == axis[graph.gear(mesh, 1).body];
+    certain = (same && !graph.frame(mesh)) ||
+              (mounted(*misfit.mesh) && has_determined_axes(graph, *misfit.mesh));
+  } else if (misfit.planet) {  // the distances must be those of the teeth
+    certain = true;
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m) certain = certain && mounted(m);
+  }
+  if (!certain) return std::nullopt;
+  return Warning{WarningCode::not_coaxial, no_assembly(misfit, why), 0};
+}
+
+std::string no_assembly(const Misfit& misfit, const Error& why) {
+  std::string rule = why.rule;
+  while (rule.ends_with('.')) rule.pop_back();
+  const char* const joint = why.value.empty() ? "" : misfit.any() ? ": " : " ";
+  return fmt::format("The drive cannot be assembled: {}{}{}.", why.value, joint, rule);
 }
 
 std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces& places) {
@@ -314,6 +372,11 @@ std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces&
   return notes;
 }
 
-Result<DrivePlaces> drive_places(const Drive& drive) { return Placing(drive).places(); }
+Result<DrivePlaces> drive_places(const Drive& drive, Misfit* misfit) {
+  Placing placing(drive);
+  auto made = placing.places();
+  if (misfit) *misfit = placing.misfit();
+  return made;
+}
 
 }  // namespace gearwright

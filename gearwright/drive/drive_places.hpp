@@ -37,6 +37,13 @@ struct DrivePlaces {
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 
+/// A mesh or a planet that prevents the assembly of a drive.
+struct Misfit {
+  std::optional<std::size_t> mesh{};    ///< its axes or its teeth do not fit
+  std::optional<std::size_t> planet{};  ///< body without a possible position
+  bool any() const { return mesh || planet; }
+};
+
 /// Returns the pair of a rack and its pinion. Returns null if the gear is not a rack or has no
 /// pair. If a rack has several pinions, the function returns the first pair.
 const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
@@ -47,7 +54,17 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
 ///           not known; `drive.mesh` if both gears of a mesh have the same axis, or if the
 ///           distances of a loop of shafts do not fit together; `drive.body` if a planet has no
 ///           possible position
-Result<DrivePlaces> drive_places(const Drive& drive);
+/// `misfit`  if not null, gets what does not fit in the last two cases, and is empty otherwise
+Result<DrivePlaces> drive_places(const Drive& drive, Misfit* misfit = nullptr);
+
+/// Returns the sentence that a drive cannot be assembled, with the reason. `why` and `misfit` are
+/// those of drive_places() or drive_layout().
+std::string no_assembly(const Misfit& misfit, const Error& why);
+
+/// Returns the finding that a drive cannot be assembled, or none if nothing is a misfit. Returns
+/// none also if the spec does not determine the positions of the axes, so that other positions may
+/// be possible.
+std::optional<Warning> assembly_fault(const Drive& drive, const Misfit& misfit, const Error& why);
 
 /// Returns a note for each shaft whose axis is within the tip circle of an external gear on another
 /// axis. With bearings on both sides of the housing, such a shaft would pass through this gear.

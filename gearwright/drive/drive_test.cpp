@@ -75,6 +75,15 @@ TEST(Drive, SimpleSetHasTheClosedForms) {
   }
 }
 
+TEST(Drive, AListOfBodiesContainsNoBodyTwice) {
+  PlanetarySpec set = simple_set(20, 25, 70, 0.99, 0.99);
+  set.fixed = std::vector<std::string>{"ring", "ring"};
+  EXPECT_EQ(error_field(set), "drive.fixed");
+  set.fixed = std::vector<std::string>();
+  set.inputs = {"sun", "sun"};
+  EXPECT_EQ(error_field(set), "drive.input");
+}
+
 TEST(Drive, TwoRingsHaveTheClosedForms) {
   const double eta = 0.99, eta0 = eta * eta;
   for (const auto& [p1, p2, r1, r2] : {std::array{21, 21, 57, 60},

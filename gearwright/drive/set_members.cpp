@@ -29,6 +29,20 @@ std::vector<std::string> PerMesh::names() {
   return {"sun_planet", "sun_idler", "idler_planet", "sun2_planet", "planet_ring", "planet_ring2"};
 }
 
+std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
+  using M = SetMember;
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  const M second = has(M::planet2) ? M::planet2 : M::planet;
+  std::vector<SetMesh> list;
+  if (has(M::sun) && has(M::idler)) list.push_back({"sun_idler", M::sun, M::idler});
+  if (has(M::idler)) list.push_back({"idler_planet", M::idler, M::planet});
+  if (has(M::sun) && !has(M::idler)) list.push_back({"sun_planet", M::sun, M::planet});
+  if (has(M::sun2)) list.push_back({"sun2_planet", M::sun2, second});
+  if (has(M::ring)) list.push_back({"planet_ring", M::planet, M::ring});
+  if (has(M::ring2)) list.push_back({"planet_ring2", second, M::ring2});
+  return list;
+}
+
 std::optional<double> PerMesh::of(const std::string& mesh) const {
   for (const auto& [name, value] : each)
     if (name == mesh) return value;

@@ -21,24 +21,6 @@ using M = SetMember;
 constexpr std::array<M, kSetMembers> kMembers{M::sun,     M::sun2, M::idler, M::planet,
                                               M::planet2, M::ring, M::ring2};
 
-struct SetMesh {
-  std::string name;
-  M first, second;
-};
-
-std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
-  const auto has = [&](M m) { return spec.z(m).has_value(); };
-  const M second = has(M::planet2) ? M::planet2 : M::planet;
-  std::vector<SetMesh> list;
-  if (has(M::sun) && has(M::idler)) list.push_back({"sun_idler", M::sun, M::idler});
-  if (has(M::idler)) list.push_back({"idler_planet", M::idler, M::planet});
-  if (has(M::sun) && !has(M::idler)) list.push_back({"sun_planet", M::sun, M::planet});
-  if (has(M::sun2)) list.push_back({"sun2_planet", M::sun2, second});
-  if (has(M::ring)) list.push_back({"planet_ring", M::planet, M::ring});
-  if (has(M::ring2)) list.push_back({"planet_ring2", second, M::ring2});
-  return list;
-}
-
 // Returns 1 if the helix of a member has the hand of the sun, and otherwise −1. Every external mesh
 // reverses the hand.
 double hand_of(const PlanetarySpec& spec, M member) {

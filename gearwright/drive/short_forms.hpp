@@ -106,6 +106,14 @@ struct PairTeeth {
   std::array<std::optional<double>, 2> allowance{};  ///< E_sn  mm; 0 if absent
 };
 
+/// A mesh of a set and its name, which is formed by the names of the two members.
+struct SetMesh {
+  std::string name;
+  SetMember first, second;
+};
+/// Returns the meshes of a set, in the order in which the graph has them.
+std::vector<SetMesh> meshes_of(const PlanetarySpec& spec);
+
 /// Two gears on fixed axes. If the second gear is a ring, its number of teeth is negative.
 struct PairStage {
   std::array<int, 2> teeth{};

@@ -319,8 +319,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the search for a change of the limits that would help was incomplete or omitted (verb "
      "`search`); the message gives the reason"},
     {C::not_coaxial, "not_coaxial", kProblem,
-     "no profile shift brings all meshes of a planet to the same centre distance, or there is no "
-     "possible place for an idler (verb `drive`)",
+     "no profile shift brings all meshes of a planet to the same centre distance, there is no "
+     "possible place for an idler, both gears of a mesh have the same axis, or a closed loop of "
+     "gears does not fit together (verb `drive`)",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
      "the tip circles of neighbouring planets overlap, or there are fewer possible positions than "
@@ -365,6 +366,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "which the other results of the rating apply"},
     {C::torque_of_rating, "torque_of_rating", kNote,
      "[load] gives no torque, so the verb `load` uses the nominal torque of [rating]"},
+    {C::partial_face, "partial_face", kCaution,
+     "a gear of a drive meshes with gears in several planes and is too narrow to cover their "
+     "faces; the message gives the least face width (verb `drive`)",
+     "a gear that meshes in several planes is too narrow"},
 }};
 
 constexpr bool each_has_its_row() {

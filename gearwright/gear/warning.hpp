@@ -141,6 +141,8 @@ enum class WarningCode {
   spectrum_rated,
   // A torque that [load] does not contain.
   torque_of_rating,
+  // A gear of a drive that meshes in several planes and is too narrow for this.
+  partial_face,
   count  ///< the number of codes, not a code
 };
 

@@ -90,6 +90,97 @@ TEST(DriveAnswerTest, StagesKeepTheirOwnSpacingAndGears) {
   EXPECT_GT(drive["transmission_error"]["output_arcsec_peak_to_peak"], 0.1);
 }
 
+// A torque needs the efficiencies of the meshes. Without friction, they are 1.
+TEST(DriveAnswerTest, ATorqueWithoutAModuleHasAnEffectOrANote) {
+  const std::string set = "[planetary]\nsun = 20\nplanet = 25\nring = 70\nspeed_rpm = 100\n";
+  for (const char* load : {"torque_Nm = 10\n", "power_kW = 1\n"}) {
+    const DriveJob without = testing::taken(solve_drive(drive_job(set + load)));
+    ASSERT_EQ(without.drive.findings.size(), 1u);
+    EXPECT_EQ(without.drive.findings.front().code, WarningCode::not_read);
+    EXPECT_NE(without.drive.findings.front().message.find(
+                  "the efficiencies of sun_planet and planet_ring are unknown; give "
+                  "mesh_efficiency, or give normal_module_mm"),
+              std::string::npos)
+        << without.drive.findings.front().message;
+    for (const char* known : {"mesh_efficiency = 0.99\n", "friction_coefficient = 0\n"}) {
+      const DriveJob made = testing::taken(solve_drive(drive_job(set + load + known)));
+      EXPECT_TRUE(made.drive.findings.empty());
+      ASSERT_TRUE(made.drive.flow) << known;
+      if (std::string(known).starts_with("friction")) {
+        EXPECT_NEAR(made.drive.flow->torque[made.drive.graph.output], -4.5, 1e-12);
+        EXPECT_NEAR(made.drive.flow->efficiency, 1.0, 1e-12);
+      }
+    }
+  }
+  EXPECT_TRUE(testing::taken(solve_drive(drive_job(set))).drive.findings.empty());
+}
+
+// A drive that its files cannot contain, because the gears do not fit together, is red. If the
+// directions of a loop are not given, other positions of its axes may be possible.
+TEST(DriveAnswerTest, DrivesThatCannotBeAssembledAreRed) {
+  const auto drive = [](const std::string& bodies, const std::string& teeth,
+                        const std::vector<std::pair<std::string, std::string>>& meshes) {
+    std::string text = "[drive]\ninput = \"a\"\noutput = \"" + bodies.substr(1, 1) + "\"\n";
+    for (const char body : bodies)
+      text += fmt::format("[[drive.body]]\nname = \"{}\"\n{}", body,
+                          body == 'r' ? "rides_on = \"a\"\n" : "");
+    for (std::size_t g = 0; g < teeth.size(); ++g)
+      text += fmt::format(
+          "[[drive.gear]]\nname = \"{0}\"\nbody = \"{0}\"\nteeth = {1}0\nnormal_module_mm = "
+          "2\n",
+          bodies[g], teeth[g]);
+    for (const auto& [gears, keys] : meshes)
+      text +=
+          fmt::format("[[drive.mesh]]\ngears = [\"{}\", \"{}\"]\n{}\n", gears[0], gears[1], keys);
+    return testing::taken(solve_drive(drive_job(text)));
+  };
+  const auto loop = [&](const std::string& angle, const std::string& opposite) {
+    return drive(
+        "abcd", "2332",
+        {{"ab", "angle_deg = 60"}, {"ac", "angle_deg = -60"}, {"bd", angle}, {"cd", opposite}});
+  };
+  for (const auto& [job, words] :
+       {std::pair{drive("abr", "232", {{"ab", ""}, {"rb", ""}}), "a_b: the two gears of this mesh"},
+        {loop("angle_deg = 0", "angle_deg = 0"), "100.0000 mm apart instead of 50.0000 mm"},
+        {loop("angle_deg = -60", "angle_deg = 60"), "c_d: this mesh closes a loop of gears"}}) {
+    EXPECT_FALSE(job.layout);
+    EXPECT_EQ(job.verdict.level, Level::red) << words;
+    EXPECT_EQ(job.verdict.findings.front().code, WarningCode::not_coaxial);
+    EXPECT_NE(job.verdict.headline.find(words), std::string::npos) << job.verdict.headline;
+    EXPECT_EQ(job.layout_error.field, "drive.mesh");
+    EXPECT_TRUE(job.layout_error.rule.starts_with("the drive cannot be assembled, because "));
+  }
+  const DriveJob open = loop("", "");
+  EXPECT_NE(open.verdict.level, Level::red) << open.verdict.headline;
+}
+
+// The gears that mesh with a planet are coaxial, so two distances are a contradiction.
+TEST(DriveAnswerTest, TwoDistancesOfAPlanetNameTheirKeys) {
+  const std::string set = "sun = 20\nplanet = 25\nring = 70\nplanets = 3\n";
+  const auto distances = [](double second) {
+    return fmt::format(
+        "normal_module_mm = 2\ncenter_distance_mm = {{ sun_planet = 45, planet_ring = {} }}\n",
+        second);
+  };
+  const auto error_of = [](const JobSpec& spec) {
+    const auto solved = solve_drive(spec);
+    return solved ? "" : solved.error().message();
+  };
+  const std::string rule =
+      " = 46: contradicts the centre distance of 45 mm that is given for the mesh ";
+  const JobSpec job = drive_job("[planetary]\n" + set + distances(46));
+  EXPECT_TRUE(error_of(job).starts_with("planetary.center_distance_mm.planet_ring" + rule +
+                                        "sun_planet, because"))
+      << error_of(job);
+  const JobSpec graph = drive_job(toml_text(expanded_spec(job.tree->tables, *job.drive)));
+  EXPECT_TRUE(error_of(graph).starts_with("drive.mesh[2].center_distance_mm" + rule));
+  const JobSpec train = drive_job("[[stage]]\n" + distances(46) +
+                                  "planetary = { sun = 20, planet = 25, ring = 70 }\n");
+  EXPECT_TRUE(error_of(train).starts_with("stage[1].center_distance_mm.planet_ring" + rule))
+      << error_of(train);
+  EXPECT_EQ(error_of(drive_job("[planetary]\n" + set + distances(45))), "");
+}
+
 TEST(DriveAnswerTest, GearsOfADriveAreRefusedWhatTheyCannotBe) {
   const auto stage = [](const std::string& gear) {
     return "[[stage]]\ngears = [ { teeth = 19, normal_module_mm = 2, " + gear +

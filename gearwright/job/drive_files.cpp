@@ -49,7 +49,7 @@ Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& fo
 }  // namespace
 
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
-  if (!job.layout) return Error{"", "", job.why_no_layout};
+  if (!job.layout) return job.layout_error;
   return drive_solids(job.drive, *job.layout);
 }
 

@@ -56,6 +56,34 @@ std::optional<Error> find_halves(Drive& drive) {
   return std::nullopt;
 }
 
+// Returns a note if the torque of the input has no effect, because the power flow is unknown.
+// Redundant meshes and impossible teeth have findings of their own.
+std::optional<Warning> unused_torque(const Json& tree, const Drive& drive) {
+  if (!drive.graph.torque_Nm || drive.flow || !drive.motion.redundant.empty() ||
+      !drive.geometry.faults.empty())
+    return std::nullopt;
+  std::vector<std::string> unknown;
+  bool teeth = true;  // true if all meshes with an unknown efficiency have teeth
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    if (drive.efficiencies[m]) continue;
+    const DriveMesh& mesh = drive.graph.meshes[m];
+    unknown.push_back(printable(mesh.name));
+    teeth = teeth && drive.graph.gear(mesh, 0).spec;
+  }
+  std::string why = "the speeds of the inputs are not given; give speed_rpm";
+  if (!unknown.empty())
+    why = fmt::format("the efficienc{} of {} {} unknown; give {}{}",
+                      unknown.size() == 1 ? "y" : "ies", enumerated(unknown),
+                      unknown.size() == 1 ? "is" : "are",
+                      tree.contains("drive") ? "efficiency in [[drive.mesh]]" : "mesh_efficiency",
+                      teeth ? ""
+                            : ", or give normal_module_mm, so that the efficiency is computed from "
+                              "the teeth");
+  return Warning{WarningCode::not_read,
+                 fmt::format("The torque or power of the input has no effect, because {}.", why),
+                 0};
+}
+
 }  // namespace
 
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
@@ -77,7 +105,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   input.remedies = true;
   auto made = make_drive(input);
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
-  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
+  DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
   if (spec.errors.any()) {
     const MeshErrors errors = mesh_errors(spec, job.drive);
@@ -87,18 +115,33 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.drive.contacts = mesh_contacts(job.drive, errors);
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
-  if (auto places = drive_places(job.drive)) {
+  Misfit of_places, of_layout;
+  auto places = drive_places(job.drive, &of_places);
+  auto layout = drive_layout(job.drive, &of_layout);
+  if (!layout) {
+    const Error& why = layout.error();
+    job.why_no_layout = no_assembly(of_layout, why);
+    const bool named = spec.tree->tables.contains("drive") && !why.value.empty();
+    const char* const begin = of_layout.any() ? "the drive cannot be assembled, because " : "";
+    job.layout_error =
+        named ? Error{why.field, why.value, begin + why.rule} : Error{"", "", job.why_no_layout};
+    // Without a module, there is no layout, but the places can show what does not fit.
+    auto fault = places ? assembly_fault(job.drive, of_layout, why)
+                        : assembly_fault(job.drive, of_places, places.error());
+    if (fault) job.drive.findings.push_back(std::move(*fault));
+  }
+  if (places) {
     const auto notes = shafts_through_gears(job.drive, *places);
     job.drive.findings.insert(job.drive.findings.end(), notes.begin(), notes.end());
     job.places = std::move(places).take();
   }
-  if (auto layout = drive_layout(job.drive)) {
+  if (layout) {
+    const auto findings = partial_faces(job.drive, *layout);
+    job.drive.findings.insert(job.drive.findings.end(), findings.begin(), findings.end());
     job.layout = std::move(layout).take();
-  } else {
-    const Error& why = layout.error();
-    job.why_no_layout = fmt::format("The drive cannot be assembled: {}{}.",
-                                    why.value.empty() ? "" : why.value + " ", why.rule);
   }
+  if (auto note = unused_torque(spec.tree->tables, job.drive))
+    job.drive.findings.push_back(std::move(*note));
   // In every table of a drive, the members of a gear or a rack have the same keys as in [gear2].
   for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear2");
   job.verdict = judge(job);
@@ -273,6 +316,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, const DriveParts& parts,
   const auto wants = [](Wanted part, bool given) {
     return part == Wanted::yes || (part == Wanted::if_given && given);
   };
+  begin_stage(progress, "computing the drive", 0);
   auto solved = solve_drive(spec);
   const bool rated = wants(parts.rating, spec.rating.given);
   const bool analysed = wants(parts.contact, spec.errors.given || spec.contact.given);

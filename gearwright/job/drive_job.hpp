@@ -23,6 +23,7 @@ struct DriveJob {
   std::optional<DrivePlaces> places;  ///< none if an axis cannot be placed
   std::optional<DriveLayout> layout;  ///< none if drive_layout() fails
   std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
+  Error layout_error;                 ///< the reason as an error with a key of the spec
   Verdict verdict;
 };
 

@@ -1,6 +1,7 @@
 #include "gearwright/spec/read_drive.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <initializer_list>
@@ -31,7 +32,43 @@ bool gives_band(const Json& node) {
   return backlash != node.end() && backlash->is_array() && backlash->size() == 2;
 }
 
+// Rejects a number or a material of a gear or a mesh that the set does not have.
+void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec& set) {
+  std::vector<std::string> gears, meshes;
+  for (std::size_t m = 0; m < kSetMembers; ++m)
+    if (const auto member = static_cast<SetMember>(m); set.z(member) || member == SetMember::planet)
+      gears.emplace_back(to_string(member));
+  for (const SetMesh& mesh : meshes_of(set)) meshes.push_back(mesh.name);
+  const auto check = [&](const std::string& key, const std::vector<std::string>& possible,
+                         const std::vector<std::string>& present, const char* what) {
+    for (const auto& [part, value] : node[key].items()) {
+      const auto in = [&part = part](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), part) != names.end();
+      };
+      if (in(possible) && !in(present))
+        throw SpecError{{t.name(key) + "." + part, shown(value),
+                         fmt::format("is not a {} of this set; the names are {}", what,
+                                     fmt::join(present, ", "))}};
+    }
+  };
+  for (const Key& key : planetary_keys().keys) {
+    const std::string name(key.key);
+    if (!node.contains(name) || !node[name].is_object()) continue;
+    if (key.kind == KeyKind::by_name && key.place.names() == PerMesh::names()) {
+      check(name, PerMesh::names(), meshes, "mesh");
+    } else if (key.kind == KeyKind::by_name || name == "material") {
+      check(name, set_member_names(), gears, "gear");
+    }
+  }
+}
+
 }  // namespace
+
+void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs) {
+  if (speeds == 0 || speeds == inputs) return;
+  t.fail("speed_rpm", fmt::format("has {} number{} for {} input{}; give one speed for each input",
+                                  speeds, speeds == 1 ? "" : "s", inputs, inputs == 1 ? "" : "s"));
+}
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
   refuse_halves(node, path,
@@ -43,6 +80,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   set.backlash_is_mean = gives_band(node);
   t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
+  check_set_names(t, node, set);
+  check_speeds(t, set.speeds_rpm.size(), std::max<std::size_t>(set.inputs.size(), 1));
   return set;
 }
 
@@ -153,6 +192,7 @@ StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
     t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");
   pair.set_allowances(in.series);
   t.finish();
+  check_speeds(t, in.stage.speeds_rpm.size(), 1);
   return in.stage;
 }
 
@@ -168,6 +208,29 @@ std::string table_of_gear(const Json& tree, const std::string& name) {
         if (name == fmt::format("s{}_gear{}", i, which))
           return fmt::format("stage[{}].gears[{}]", i, which);
   contract_failed("precondition", "a gear with its own table", __FILE__, __LINE__);
+}
+
+// Returns the key of a number of the mesh with this name, "drive.mesh[2].center_distance_mm" or
+// "planetary.center_distance_mm.planet_ring".
+std::string key_of_mesh(const Json& tree, const std::string& name, const std::string& key) {
+  if (tree.contains("drive")) {
+    const Json& meshes = tree["drive"]["mesh"];
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const Json& own = meshes[i];
+      const auto gear = [&](int which) { return own["gears"][which].get<std::string>(); };
+      if (own.value("name", gear(0) + "_" + gear(1)) == name)
+        return fmt::format("drive.mesh[{}].{}", i + 1, key);
+    }
+  }
+  if (!tree.contains("stage")) return fmt::format("planetary.{}.{}", key, name);
+  for (std::size_t k = 1; k <= tree["stage"].size(); ++k) {
+    const Json& stage = tree["stage"][k - 1];
+    const std::string prefix = fmt::format("s{}_", k);
+    if (!name.starts_with(prefix) || !stage.contains("planetary")) continue;
+    return fmt::format("stage[{}]{}.{}.{}", k, stage["planetary"].contains(key) ? ".planetary" : "",
+                       key, name.substr(prefix.size()));
+  }
+  contract_failed("precondition", "a mesh with its own number", __FILE__, __LINE__);
 }
 
 template <class T>
@@ -230,13 +293,19 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree) {
 }
 
 Error of_drive_table(Error error, const Json& tree) {
-  constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"";
+  constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"", kMesh = "drive.mesh[\"";
   if (!error.field.starts_with(kGraph)) return error;
   if (error.field.starts_with(kGear)) {  // as of_drive_gear() makes it
     const std::size_t end = error.field.find("\"].");
     const std::string gear = error.field.substr(kGear.size(), end - kGear.size());
     const SpelledMember own = spelled_member("gear1", error.field.substr(end + 3), error.value);
     return {table_of_gear(tree, gear) + own.key.substr(own.key.find('.')), own.value, error.rule,
+            error.kind};
+  }
+  if (error.field.starts_with(kMesh)) {  // as check_distances() makes it
+    const std::size_t end = error.field.find("\"].");
+    const std::string mesh = error.field.substr(kMesh.size(), end - kMesh.size());
+    return {key_of_mesh(tree, mesh, error.field.substr(end + 3) + "_mm"), error.value, error.rule,
             error.kind};
   }
   for (const std::string own : {"planetary", "stage", "search"})

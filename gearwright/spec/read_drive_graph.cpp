@@ -147,6 +147,19 @@ void set_rack_lengths(TableReader& t, DriveGraph& graph) {
   }
 }
 
+void refuse_planet_angles(TableReader& t, const DriveGraph& graph) {
+  std::size_t m = 0;
+  for (const auto& [path, node] : t.tables("mesh")) {
+    const DriveMesh& mesh = graph.meshes[m++];
+    if (!graph.body(graph.gear(mesh, 0)).carrier && !graph.body(graph.gear(mesh, 1)).carrier)
+      continue;
+    TableReader(drive_mesh_keys(), *node, path)
+        .refuse("angle_deg",
+                "is not allowed for planets, whose positions determine the direction; give "
+                "positions_deg of the planet");
+  }
+}
+
 }  // namespace
 
 void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar) {
@@ -202,6 +215,7 @@ DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   read_gears(t, graph, bodies, folder);
   add_meshes(in, graph);
   set_rack_lengths(t, graph);
+  refuse_planet_angles(t, graph);
   const auto places = [&](const char* key, const std::vector<std::string>& names) {
     std::vector<std::size_t> list;
     for (const std::string& name : names)
@@ -221,6 +235,7 @@ DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   if (graph.inputs.empty()) t.fail_absent("input", "; give the name of the driving body");
   if (output.empty()) t.fail_absent("output", "; give the name of the driven body");
   graph.output = output.front();
+  check_speeds(t, graph.speeds_rpm.size(), graph.inputs.size());
   return graph;
 }
 

@@ -87,6 +87,69 @@ TEST(ReadForms, a_number_for_each_input_and_one_torque) {
             "planetary.fixed = 3: must be the name of a body, or a list of names");
 }
 
+TEST(ReadForms, as_many_speeds_as_inputs) {
+  const std::string two = "has 2 numbers for 1 input; give one speed for each input";
+  const std::string differential = kSet + "fixed = []\ninput = [\"sun\", \"ring\"]\n";
+  EXPECT_EQ(refused_form(kSet + "speed_rpm = [100]\n"), "");
+  EXPECT_EQ(refused_form(kSet + "speed_rpm = [100, 200]\n"),
+            "planetary.speed_rpm = [100, 200]: " + two);
+  EXPECT_EQ(refused_form(differential), "");
+  EXPECT_EQ(refused_form(differential + "speed_rpm = 100\n"),
+            "planetary.speed_rpm = 100: has 1 number for 2 inputs; give one speed for each input");
+  EXPECT_EQ(refused_form(kStage + "speed_rpm = [10000, 1]\n"),
+            "stage[1].speed_rpm = [10000, 1]: " + two);
+  EXPECT_EQ(refused_form("[drive]\ninput = \"a\"\noutput = \"b\"\nspeed_rpm = [100, 200]\n"
+                         "[[drive.body]]\nname = \"a\"\n[[drive.body]]\nname = \"b\"\n"
+                         "[[drive.gear]]\nname = \"A\"\nbody = \"a\"\nteeth = 20\n"
+                         "[[drive.gear]]\nname = \"B\"\nbody = \"b\"\nteeth = 40\n"
+                         "[[drive.mesh]]\ngears = [\"A\", \"B\"]\n"),
+            "drive.speed_rpm = [100, 200]: " + two);
+  EXPECT_EQ(refused_form("[search]\nkind = \"planetary\"\nratio = 4\nspeed_rpm = [100, 200]\n"),
+            "search.speed_rpm = [100, 200]: " + two);
+}
+
+TEST(ReadForms, a_planet_has_positions_in_place_of_an_angle) {
+  const auto graph = [](const std::string& sun, const std::string& housing) {
+    return "[drive]\ninput = \"s\"\noutput = \"c\"\nfixed = \"r\"\n"
+           "body = [{ name = \"s\" }, { name = \"r\" }, { name = \"c\" }, "
+           "{ name = \"p\", rides_on = \"c\", count = 3 }, { name = \"x\" }]\n"
+           "gear = [{ name = \"S\", body = \"s\", teeth = 20 }, "
+           "{ name = \"P\", body = \"p\", teeth = 25 }, "
+           "{ name = \"R\", body = \"r\", teeth = -70 }, "
+           "{ name = \"X\", body = \"x\", teeth = 30 }]\n"
+           "mesh = [{ gears = [\"S\", \"P\"]" +
+           sun + " }, { gears = [\"P\", \"R\"] }, { gears = [\"X\", \"S\"]" + housing + " }]\n";
+  };
+  EXPECT_EQ(refused_form(graph("", ", angle_deg = 10")), "");
+  EXPECT_EQ(refused_form(graph(", angle_deg = 10", "")),
+            "drive.mesh[1].angle_deg = 10: is not allowed for planets, whose positions determine "
+            "the direction; give positions_deg of the planet");
+}
+
+TEST(ReadForms, names_of_gears_and_meshes_that_the_set_has) {
+  for (const char* key : {"profile_shift", "bore_mm"})
+    EXPECT_EQ(refused_form(kSet + key + " = { sun = 0.2, sun2 = 0.2 }\n"),
+              std::string("planetary.") + key +
+                  ".sun2 = 0.2: is not a gear of this set; the names are sun, planet, ring");
+  for (const char* key : {"center_distance_mm", "mesh_efficiency"})
+    EXPECT_EQ(refused_form(kSet + key + " = { sun2_planet = 0.5 }\n"),
+              std::string("planetary.") + key +
+                  ".sun2_planet = 0.5: is not a mesh of this set; the names are sun_planet, "
+                  "planet_ring");
+  EXPECT_EQ(
+      refused_form(kSet + "material = { sun2 = \"16MnCr5\" }\n").find("planetary.material.sun2"),
+      0u);
+  EXPECT_EQ(refused_form("[planetary]\nsun = 20\nring = 80\nprofile_shift = { planet = 0.1 }\n"),
+            "");
+}
+
+TEST(ReadForms, a_list_of_bodies_contains_no_body_twice) {
+  EXPECT_EQ(refused_form(kSet + "fixed = [\"ring\", \"ring\"]\n"),
+            "planetary.fixed = [\"ring\", \"ring\"]: contains ring twice");
+  EXPECT_EQ(refused_form(kSet + "fixed = []\ninput = [\"sun\", \"sun\"]\n"),
+            "planetary.input = [\"sun\", \"sun\"]: contains sun twice");
+}
+
 // The torque of a power is P/ω. The oracle is P n = T n² 2π/60 for 11 kW and 1450/min.
 TEST(ReadForms, a_power_gives_the_torque) {
   constexpr double kTorque = 11e3 * 60 / (2 * 3.14159265358979323846 * 1450);

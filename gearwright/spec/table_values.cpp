@@ -173,7 +173,11 @@ std::optional<std::vector<std::string>> TableReader::texts(const Key& key) {
   std::vector<std::string> texts;
   for (const Json& item : node->is_array() ? *node : Json::array({*node})) {
     if (!item.is_string()) fail(name, rule);
-    texts.push_back(item.get<std::string>());
+    const std::string text = item.get<std::string>();
+    // If a key requires two names, its own rule applies to equal names.
+    if (key.list->single && std::find(texts.begin(), texts.end(), text) != texts.end())
+      fail(name, fmt::format("contains {} twice", printable(text, 60)));
+    texts.push_back(text);
   }
   if (texts.size() < key.list->least || texts.size() > key.list->most) fail(name, rule);
   return texts;

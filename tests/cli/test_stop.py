@@ -70,6 +70,10 @@ class Stop(unittest.TestCase):
     def test_run_leaves_no_folder(self):
         self.assertIn("run, 2 s: ", self.stopped("run", pair() + MAP, signal.SIGTERM, "--json"))
 
+    def test_run_of_a_drive_leaves_no_folder(self):
+        drive = "[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\nnormal_module_mm = 2\ntorque_Nm = 5\n"
+        self.assertIn("run, 2 s: ", self.stopped("run", drive + POSITIONS, signal.SIGINT, "--json"))
+
     def test_short_work_says_nothing(self):
         run = Run("contact", pair() + "[contact]\npositions = 8\n", "--json")
         self.assertEqual((run.status, run.err), (0, ""))
