@@ -169,6 +169,21 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
   return facts;
 }
 
+// Returns the sentence about a mating gear whose profile shift is not measured. The text is empty if
+// the spec determines the profile shift or has no mating gear.
+std::string mate_fact(const Json& tree, int which) {
+  const std::string name = gear_field(3 - which);
+  if (!tree.contains(name) || !tree[name].contains("teeth") ||
+      !tree.value("pair", Json::object()).contains("center_distance_mm"))
+    return "";
+  for (const char* key : {"profile_shift", "measured", "cut_by", "form"})
+    if (tree[name].contains(key)) return "";
+  return fmt::format(
+      "The profile shift of gear {0} is not measured; the program computes it from the centre "
+      "distance. If this gear exists, measure its spans and give them in [{1}.measured].",
+      3 - which, name);
+}
+
 std::vector<Warning> unused_readings(const JobSpec& spec) {
   if (!spec.measured[0] || !spec.measured[1]) return {};
   return {
@@ -277,6 +292,8 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
     answer.notes.push_back({fmt::format("Candidate {} of the readings, likelihood {:.2f} %.",
                                         answer.notes.size() + 1, 100 * g.likelihood)});
     for (std::string& fact : open_facts(*problem, g, answer.specs.back()[gear_field(which)]))
+      answer.notes.back().push_back(std::move(fact));
+    if (std::string fact = mate_fact(answer.specs.back(), which); !fact.empty())
       answer.notes.back().push_back(std::move(fact));
   }
   return answer;
