@@ -27,6 +27,7 @@ int main() {
 }
 
 /* prints
-100.0 %  m_n 2.5000 mm, alpha_n 20.0 deg, beta 18.000 deg, x_E 0.2170
+ 95.8 %  m_n 2.5000 mm, alpha_n 20.0 deg, beta 18.000 deg, x_E 0.2170
+  4.2 %  m_n 2.5000 mm, alpha_n 20.0 deg, beta 18.001 deg, x_E 0.2169
   0.0 %  m_n 2.5400 mm, alpha_n 22.5 deg, beta 18.329 deg, x_E -0.0100
 */

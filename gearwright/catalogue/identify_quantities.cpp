@@ -198,8 +198,9 @@ const Quantities<IdentifyView>& identify_quantities() {
                                        [](const V& v) { return v.found.contradiction; });
     q.under("Next measurement");
     q.record<next_quantities>("next_measurement",
-                              "measurement that distinguishes the candidates best; null if only "
-                              "one candidate is left or no measurement distinguishes them",
+                              "measurement that separates the first candidate from the greatest "
+                              "part of the probability of the others; null if only one candidate "
+                              "is left or no measurement distinguishes them",
                               [](const V& v) { return v.found.next; });
     q.under("Alternative");
     q.record<alternative_quantities>(

@@ -128,18 +128,42 @@ class Searching {
       return take(rack, fit_rack(at(std::abs(problem_.helix_angle->rad())), of_shift, readings_),
                   0.0, found);
     const HelixPrior prior;
-    take(rack, fit_rack(at(0.0), of_shift, readings_), prior.spur, found);
+    const auto spur = fit_rack(at(0.0), of_shift, readings_);
+    take(rack, spur, prior.spur, found);
     if (measured_as_spur_ring()) return;
     std::optional<RackFit> best;
+    std::vector<RackFit> fits;  // one for each helix angle
+    if (spur) fits.push_back(*spur);
     for (int degrees = 1; degrees <= kMostHelix; ++degrees) {
       const GearNumbers gear = at(degrees * kRadPerDeg);
       if (!own && off_the_lead(gear)) continue;
       const auto fit = fit_rack(gear, of_shift, readings_);
       take(rack, fit, prior.of_degrees(degrees), found);
+      if (fit) fits.push_back(*fit);
       if (fit && (!best || fit->log_evidence > best->log_evidence)) best = fit;
     }
     const GearNumbers start = best ? best->gear : at(lead_angle(rack.module).value_or(0.2));
-    take(rack, fit_rack(start, of_both, readings_), prior.any, found);
+    auto any = fit_rack(start, of_both, readings_);
+    if (any) integrate_near_spur(fits, *any);
+    take(rack, any, prior.any, found);
+  }
+
+  // Readings depend on β², so near β = 0 the evidence of a free helix angle is no normal
+  // distribution of β. There, the function replaces Laplace's approximation by the integral over
+  // the fits for β = 0 and for whole numbers of degrees [T10.41].
+  static void integrate_near_spur(const std::vector<RackFit>& fits, RackFit& any) {
+    constexpr double kStep = kRadPerDeg, kRange = kMostHelix * kRadPerDeg;
+    if (any.sigma_helix < kStep || any.gear.beta > 2 * any.sigma_helix || fits.empty()) return;
+    double top = -std::numeric_limits<double>::infinity(), sum = 0.0, square = 0.0;
+    for (const RackFit& f : fits) top = std::max(top, f.log_evidence);
+    for (const RackFit& f : fits) {
+      const double weight = std::exp(f.log_evidence - top) * (f.gear.beta == 0.0 ? 0.5 : 1.0);
+      const double off = f.gear.beta - any.gear.beta;
+      sum += weight;
+      square += weight * off * off;
+    }
+    any.log_evidence = top + std::log(sum * kStep / kRange);
+    any.sigma_helix = std::max(kStep / 2, std::sqrt(square / sum));
   }
 
   bool has(Reading kind) const {
@@ -182,25 +206,24 @@ double most_misfit(const std::vector<Observation>& readings, const RackFit& fit)
   return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
 }
 
-// True if the gears a and b are the same, except that a module or helix angle is fitted in one gear
-// and standard in the other gear.
-bool is_double(const Found& a, const Found& b) {
-  const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
-                      (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);
-  const double module = 3 * (a.fit.sigma_module + b.fit.sigma_module);
-  const double helix = 3 * (a.fit.sigma_helix + b.fit.sigma_helix) + 1e-9;
-  return looser && a.rack.alpha == b.rack.alpha &&
-         std::abs(a.fit.gear.module - b.fit.gear.module) <= module &&
-         std::abs(a.fit.gear.beta - b.fit.gear.beta) <= helix;
+// True if gear f has a fitted module, and gear k is the same gear with a standard module.
+bool is_standard_gear(const Found& k, const Found& f) {
+  const double module = 3 * f.fit.sigma_module;
+  const double helix = 3 * (k.fit.sigma_helix + f.fit.sigma_helix) + 1e-9;
+  return k.rack.series != ModuleSeries::none && f.rack.series == ModuleSeries::none &&
+         k.rack.alpha == f.rack.alpha &&
+         std::abs(k.fit.gear.module - f.fit.gear.module) <= module &&
+         std::abs(k.fit.gear.beta - f.fit.gear.beta) <= helix;
 }
 
+// Removes every gear with a fitted module that a likelier gear with a standard module explains. No
+// helix angle is removed, because the hypotheses of [T10.39] exclude each other.
 std::vector<Found> without_doubles(const std::vector<Found>& all) {
   std::vector<Found> kept;
-  for (const Found& f : all) {
-    const auto same =
-        std::find_if(kept.begin(), kept.end(), [&](const Found& k) { return is_double(k, f); });
-    if (same == kept.end()) kept.push_back(f);
-  }
+  for (const Found& f : all)
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const Found& k) { return is_standard_gear(k, f); }))
+      kept.push_back(f);
   return kept;
 }
 

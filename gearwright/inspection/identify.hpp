@@ -127,12 +127,15 @@ struct IdentifiedGear : DrawnGear {
   bool plausible() const { return generating_shift >= -1.5 && generating_shift <= 1.5; }
 };
 
-/// The measurement that best distinguishes the first candidate from one other candidate, the rival.
+/// The measurement that separates the first candidate from the greatest part of the probability of
+/// the other candidates. The rival is the likeliest candidate from which it separates the first.
 struct NextMeasurement {
   Reading reading;               ///< a span, a dimension over balls or the helix angle
   double tool;                   ///< k or D_M
   std::array<double, 2> expect;  ///< predicted readings of the first candidate and of the rival
+  std::array<double, 2> spread;  ///< ± of `expect` at 95 %, including that of the reading
   int rival;                     ///< index of the rival, from 0
+  std::vector<int> separates;    ///< indices of all candidates that it separates from the first
 };
 /// A gear that agrees with all readings if one input is corrected.
 struct Alternative {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -25,13 +26,31 @@ constexpr double kHelixUncertainty = 0.5;  // degrees, of a helix angle
 constexpr double kTipScatter = 0.15;  // due to wear, tip shortening and x − x_E
 constexpr double kRootScatter = 0.04;
 constexpr double kDistanceScatter = 0.5;  // due to the profile shift of the mating gear
-constexpr std::array kAddenda{1.0, 0.8};
+// Addenda of usual racks in modules, each with its share of all gears. Stub teeth are rare.
+struct Addendum {
+  double length, share;
+};
+constexpr std::array kAddenda{Addendum{1.0, 0.97}, Addendum{0.8, 0.03}};
 constexpr std::array kDedenda{1.25, 1.4, 1.0, 1.157, 1.2, 1.35};
 
 double nearest_miss(std::span<const double> choices, double value) {
   double least = value - choices.front();
   for (const double c : choices)
     if (std::abs(value - c) < std::abs(least)) least = value - c;
+  return least;
+}
+
+// Returns the deviation of the tip from the tip that the likeliest usual addendum gives, in standard
+// deviations. `addendum` and `sigma` are in modules. For a rare addendum, the square of the result
+// includes −2 log(share/share of full teeth) [T10.40].
+double tip_residual(double addendum, double sigma) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Addendum& usual : kAddenda) {
+    const double miss = (addendum - usual.length) / sigma;
+    const double rare = 2 * std::log(kAddenda.front().share / usual.share);
+    const double one = rare > 0.0 ? std::sqrt(miss * miss + rare) : miss;
+    if (std::abs(one) < std::abs(least)) least = one;
+  }
   return least;
 }
 
@@ -100,7 +119,8 @@ std::optional<double> reading_of(const GearNumbers& g, const Observation& o) {
       const double across = g.teeth % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
       return d_K * across + b.sigma * o.tool;
     }
-    case Reading::tip_diameter: return b.d + b.sigma * 2 * g.module * (kAddenda.front() + g.shift);
+    case Reading::tip_diameter:
+      return b.d + b.sigma * 2 * g.module * (kAddenda.front().length + g.shift);
     case Reading::root_diameter: return b.d - b.sigma * 2 * g.module * (kDedenda.front() - g.shift);
     case Reading::center_distance: {
       const double sum =
@@ -119,8 +139,8 @@ std::optional<double> residual(const GearNumbers& g, const Observation& o) {
   const double sigma = o.sigma / g.module;
   switch (o.kind) {
     case Reading::tip_diameter:
-      return nearest_miss(kAddenda, kAddenda.front() + side * off / 2) /
-             std::hypot(kTipScatter, sigma / 2);
+      return tip_residual(kAddenda.front().length + side * off / 2,
+                          std::hypot(kTipScatter, sigma / 2));
     case Reading::root_diameter:
       return nearest_miss(kDedenda, kDedenda.front() - side * off / 2) /
              std::hypot(kRootScatter, sigma / 2);

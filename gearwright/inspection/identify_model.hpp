@@ -93,8 +93,9 @@ enum class LeaveOut { none, one };
 /// of tip and root are used, and the result has no alternative.
 Identification identify_readings(const IdentifyProblem& problem, LeaveOut leave_out);
 
-/// Returns the measurement that best distinguishes the likeliest gear from another one. Returns
-/// none if there is only one gear, or if no measurement distinguishes the gears.
+/// Returns the measurement that separates the likeliest gear from the greatest part of the
+/// probability of the other gears [T10.42]. Returns none if there is only one gear, or if no
+/// measurement distinguishes the gears.
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
                                                 const std::vector<IdentifiedGear>& candidates);
 

@@ -296,5 +296,88 @@ TEST(Identify, internal_gears_with_spans_are_spur_gears) {
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);
 }
 
+// Spans of a gear of the module 2, with a measured helix angle between two whole degrees. A fitted
+// helix angle replaced both whole degrees at 17.45°, so their likelihood jumped from 100 % to 0.
+TEST(Identify, a_free_helix_angle_does_not_replace_whole_degrees) {
+  const auto likelihoods = [](double measured) {
+    IdentifyProblem p;
+    p.teeth = 23;
+    p.spans = {{2, 9.55}, {3, 15.43}};
+    p.tip.value = 52.1;
+    p.helix.value = Angle::degrees(measured);
+    std::array<double, 3> sum{};  // 17°, 18°, any other angle
+    for (const IdentifiedGear& g : testing::taken(identify(p)).candidates) {
+      const double beta = g.helix_angle.deg();
+      const bool whole = g.helix_uncertainty.rad() == 0.0;
+      sum[whole && std::abs(beta - 17) < 1e-6   ? 0
+          : whole && std::abs(beta - 18) < 1e-6 ? 1
+                                                : 2] += g.likelihood;
+    }
+    return sum;
+  };
+  auto last = likelihoods(17.40);
+  for (const double measured : {17.42, 17.44, 17.46, 17.48, 17.50, 17.52, 17.54, 17.56, 17.58}) {
+    const auto next = likelihoods(measured);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(next[i], last[i], 0.06) << measured;
+    EXPECT_LT(next[0], last[0]) << measured;
+    EXPECT_GT(next[1], last[1]) << measured;
+    last = next;
+  }
+  // At the middle, both whole degrees are 0.5/0.255 standard deviations off. The prior has 0.45/63
+  // for each of them, and 0.1 √(2π) 0.255/45 for any angle near them.
+  const auto middle = likelihoods(17.5);
+  const double off = 0.5 / (0.5 / 1.96);
+  const double whole = 0.45 / 63 * std::exp(-off * off / 2);
+  const double any = 0.1 / 45 * std::sqrt(2 * 3.141592653589793) * (0.5 / 1.96);
+  EXPECT_NEAR(middle[2], any / (any + 2 * whole), 0.03);
+}
+
+// Readings of a spur gear leave only a range of about 2° for a free helix angle, because they depend
+// on its square. Its evidence is far less than its prior probability.
+TEST(Identify, a_free_helix_angle_of_a_spur_gear_is_unlikely) {
+  IdentifyProblem p;
+  p.teeth = 23;
+  p.spans = {{3, 19.4272}, {4, 26.8075}};
+  p.balls = {{4.5, 64.3665}};
+  p.tip.value = 63;
+  const auto found = testing::taken(identify(p));
+  EXPECT_EQ(found.candidates.front().helix_angle.rad(), 0.0);
+  EXPECT_GT(found.candidates.front().likelihood, 0.9);
+  for (const IdentifiedGear& g : found.candidates) EXPECT_LT(g.helix_uncertainty.deg(), 5.0);
+}
+
+// The tip is too short by 0.149 m_n at β = 20° and by 0.022 m_n at 18°. As stub teeth are rare, it
+// does not agree with a stub tooth at 20°. Multiples of five degrees are three times as likely.
+TEST(Identify, stub_teeth_need_a_better_agreement) {
+  IdentifyProblem p;
+  p.teeth = 23;
+  p.spans = {{2, 9.55}, {3, 15.43}};
+  p.tip.value = 52.1;
+  double of_18 = 0.0, of_20 = 0.0;
+  for (const IdentifiedGear& g : testing::taken(identify(p)).candidates) {
+    if (g.helix_uncertainty.rad() > 0.0) continue;
+    if (std::abs(g.helix_angle.deg() - 18) < 1e-6) of_18 = g.likelihood;
+    if (std::abs(g.helix_angle.deg() - 20) < 1e-6) of_20 = g.likelihood;
+  }
+  ASSERT_GT(of_18, 0.0);
+  constexpr double kScatter = 0.15;
+  const double short_18 = 0.022 / kScatter, short_20 = 0.149 / kScatter;
+  EXPECT_NEAR(of_20 / of_18, 3 * std::exp((short_18 * short_18 - short_20 * short_20) / 2), 0.15);
+}
+
+TEST(Identify, the_next_measurement_separates_most_of_the_probability) {
+  IdentifyProblem p;
+  p.teeth = 23;
+  p.spans = {{2, 9.55}, {3, 15.43}};
+  p.tip.value = 52.1;
+  const auto found = testing::taken(identify(p));
+  ASSERT_TRUE(found.next);
+  // Dimensions over balls of two adjacent whole degrees differ by 0.25 mm and are predicted to
+  // ±0.04 mm; helix angles differ by 1° and are measured to ±0.5°.
+  EXPECT_EQ(found.next->reading, Reading::over_balls);
+  EXPECT_EQ(found.next->separates.size(), found.candidates.size() - 1);
+  for (const double spread : found.next->spread) EXPECT_GT(spread, p.balls_uncertainty);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -67,12 +67,12 @@ std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& fi
   const double m = first.normal_module;
   std::vector<Observation> list;
   if (!p.lead.value && !p.helix.value && !p.helix_angle)
-    list.push_back({Reading::helix_angle, 0, 0, 0.5 * kRadPerDeg});
+    list.push_back({Reading::helix_angle, 0, 0, 0.5 * kRadPerDeg / kSigmas});
   const GearNumbers g = numbers_of(first);
   const double middle = std::abs(g.teeth) * std::cos(g.alpha) * std::tan(g.alpha);
   const bool plane = p.teeth > 0 || g.beta == 0.0;
   for (int k = 1; plane && k <= std::abs(p.teeth) / 2; ++k) {
-    const Observation span{Reading::span, double(k), 0, p.span_uncertainty};
+    const Observation span{Reading::span, double(k), 0, p.span_uncertainty / kSigmas};
     // Only spans with contacts near the reference cylinder are suitable.
     const double off = *reading_of(g, span) / m - middle;
     const bool read = std::any_of(p.spans.begin(), p.spans.end(),
@@ -81,7 +81,7 @@ std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& fi
   }
   for (const double size : {1.5, 1.75, 2.0}) {
     const Observation balls{Reading::over_balls, std::round(4 * size * m) / 4, 0,
-                            p.balls_uncertainty};
+                            p.balls_uncertainty / kSigmas};
     const bool read = std::any_of(p.balls.begin(), p.balls.end(), [&](const DiameterReading& b) {
       return std::abs(b.tool - balls.tool) < 0.1 * m;
     });
@@ -90,28 +90,71 @@ std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& fi
   return list;
 }
 
+// The reading that a gear predicts, with its standard deviation, which includes that of the reading.
+struct Prediction {
+  double value, sigma;
+};
+
+std::optional<Prediction> predicted(const IdentifiedGear& gear, const Observation& o) {
+  const GearNumbers g = numbers_of(gear);
+  const auto value = reading_of(g, o);
+  if (!value) return std::nullopt;
+  double variance = o.sigma * o.sigma;
+  const auto add = [&](double GearNumbers::*unknown, double uncertainty) {
+    if (uncertainty <= 0.0) return;
+    GearNumbers beside = g;
+    beside.*unknown += uncertainty;
+    if (const auto moved = reading_of(beside, o))
+      variance += (*moved - *value) * (*moved - *value) / (kSigmas * kSigmas);
+  };
+  add(&GearNumbers::shift, gear.shift_uncertainty);
+  add(&GearNumbers::beta, gear.helix_uncertainty.rad());
+  add(&GearNumbers::module, gear.module_uncertainty);
+  return Prediction{*value, std::sqrt(variance)};
+}
+
+// Returns the common part of two normal distributions, from 0 if they are apart to 1 if they are
+// equal [T10.42].
+double common_part(const Prediction& a, const Prediction& b) {
+  const double sum = a.sigma * a.sigma + b.sigma * b.sigma, apart = a.value - b.value;
+  return std::sqrt(2 * a.sigma * b.sigma / sum) * std::exp(-apart * apart / (4 * sum));
+}
+
 }  // namespace
 
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
                                                 const std::vector<IdentifiedGear>& candidates) {
   constexpr double kWorthDeciding = 0.01;
+  // Equal distributions whose mean values differ by the uncertainty have this common part.
+  constexpr double kDistinct = 0.6;
   if (candidates.empty()) return std::nullopt;
-  const std::vector<Observation> choices = menu(problem, candidates.front());
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    if (candidates[i].likelihood < kWorthDeciding) continue;
-    double best = 1.0;  // the predicted readings must differ by more than the uncertainty
-    std::optional<NextMeasurement> next;
-    for (const Observation& o : choices) {
-      const auto a = reading_of(numbers_of(candidates.front()), o);
-      const auto b = reading_of(numbers_of(candidates[i]), o);
-      if (!a || !b || std::abs(*a - *b) / o.sigma <= best) continue;
-      best = std::abs(*a - *b) / o.sigma;
+  double best = 0.0;
+  std::optional<NextMeasurement> next;
+  for (const Observation& o : menu(problem, candidates.front())) {
+    const auto first = predicted(candidates.front(), o);
+    if (!first) continue;
+    double separated = 0.0, most = 0.0;
+    NextMeasurement one{o.kind, o.tool, {}, {}, 0, {}};
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      const double likelihood = candidates[i].likelihood;
+      const auto other = predicted(candidates[i], o);
+      if (likelihood < kWorthDeciding || !other) continue;
+      const double common = common_part(*first, *other);
+      separated += likelihood * (1 - common);
+      if (common >= kDistinct) continue;
+      one.separates.push_back(static_cast<int>(i));
+      if (likelihood <= most) continue;
+      most = likelihood;
+      one.rival = static_cast<int>(i);
       const double unit = o.kind == Reading::helix_angle ? kDegPerRad : 1.0;
-      next = NextMeasurement{o.kind, o.tool, {*a * unit, *b * unit}, static_cast<int>(i)};
+      one.expect = {first->value * unit, other->value * unit};
+      one.spread = {kSigmas * first->sigma * unit, kSigmas * other->sigma * unit};
     }
-    if (next) return next;
+    if (one.separates.empty() || separated <= best) continue;
+    best = separated;
+    next = std::move(one);
   }
-  return std::nullopt;
+  return next;
 }
 
 }  // namespace gearwright::detail

@@ -444,5 +444,62 @@ TEST(DriveAnswerTest, APlanetWithoutLoadIsAFinding) {
   EXPECT_EQ(judged("[4, 0, 0]\n").level, Level::green);
 }
 
+// `drive` does not rate, but it rejects the same contradictions as `rate`.
+TEST(DriveAnswerTest, ALoadOfTheRatingThatContradictsTheDriveIsAnErrorOfEveryVerb) {
+  const std::string set = std::string(kSet) + "torque_Nm = 100\nspeed_rpm = 1500\n";
+  for (const auto& [rating, field] :
+       {std::pair{"[rating]\ntorque_Nm = 101\n", "rating.torque_Nm"},
+        std::pair{"[rating]\nspeed_rpm = 1400\n", "rating.speed_rpm"}}) {
+    const JobSpec spec = drive_job(set + rating);
+    const auto answer = answer_drive(spec), rated = answer_drive_rating(spec);
+    ASSERT_FALSE(answer) << field;
+    ASSERT_FALSE(rated) << field;
+    EXPECT_EQ(answer.error().field, field);
+    EXPECT_EQ(rated.error().field, field);
+  }
+  EXPECT_TRUE(answer_drive(drive_job(set + "[rating]\ntorque_Nm = 100\nspeed_rpm = 1500\n")));
+}
+
+TEST(DriveAnswerTest, TablesWithoutEffectAreNamed) {
+  const auto answer = answer_drive(drive_job(std::string(kSet) + "[scatter]\nquality = 6\n"));
+  ASSERT_TRUE(answer) << answer.error().message();
+  std::string said;
+  for (const Warning& w : answer->warnings)
+    if (w.code == WarningCode::not_read) said += w.message;
+  EXPECT_NE(said.find("[scatter] has no effect on a drive"), said.npos) << said;
+  for (const Warning& w : answer_drive(drive_job(kSet))->warnings)
+    EXPECT_NE(w.code, WarningCode::not_read) << w.message;
+}
+
+TEST(DriveAnswerTest, FindingsNameKeysWithoutBackticks) {
+  const auto job = solve_whole_drive(drive_job(kSet));
+  ASSERT_TRUE(job) << job.error().message();
+  EXPECT_FALSE(job->verdict.findings.empty());
+  for (const Finding& f : job->verdict.findings)
+    EXPECT_EQ((f.message + f.remedy).find('`'), std::string::npos) << f.message;
+}
+
+// The torque and the speed of [rating] are also those of the drive, so forces and loads need no
+// further key.
+TEST(DriveAnswerTest, FoundDrivesHaveTheLoadOfTheRating) {
+  for (const std::string kind : {"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [18, 22]\n",
+                                 "kind = \"train\"\nratio = [-3.6, -3.4]\nstages = 1\n"
+                                 "pinion_teeth = [19, 21]\n"}) {
+    const auto answer = answer_drive_search(
+        drive_job("[search]\n" + kind +
+                  "normal_module_mm = 2\nface_width_mm = 30\n[rating]\ntorque_Nm = 40\n"
+                  "speed_rpm = 1450\nquality = 6\nmaterial = \"18CrNiMo7-6\"\n"),
+        1, 1);
+    ASSERT_TRUE(answer) << answer.error().message();
+    ASSERT_FALSE(answer->specs.empty()) << kind;
+    const Json& spec = answer->specs.front();
+    const Json& table = spec.contains("stage") ? spec["stage"][0] : spec["planetary"];
+    EXPECT_EQ(table["torque_Nm"], 40) << kind;
+    EXPECT_EQ(table["speed_rpm"], 1450) << kind;
+    EXPECT_TRUE(
+        drive_record(drive_job(toml_text(spec)))["bodies"].begin().value().contains("torque_Nm"));
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -84,6 +84,21 @@ std::optional<Warning> unused_torque(const Json& tree, const Drive& drive) {
                  0};
 }
 
+// Returns a note for each table of the spec that has no effect on a drive.
+std::vector<Warning> unused_tables(const JobSpec& spec) {
+  std::vector<Warning> notes;
+  for (const std::string table : {"gear1", "gear2", "pair", "compensate", "scatter", "fit"})
+    if (spec.given.contains(table))
+      notes.push_back(
+          {WarningCode::not_read,
+           fmt::format(
+               "[{}] has no effect on a drive. The command `gearwright drive SPEC --take N` "
+               "writes mesh N of the drive as a pair, for the verbs for pairs.",
+               table),
+           0});
+  return notes;
+}
+
 }  // namespace
 
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
@@ -107,6 +122,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
+  for (Warning& note : unused_tables(spec)) job.drive.findings.push_back(std::move(note));
   if (spec.errors.any()) {
     const MeshErrors errors = mesh_errors(spec, job.drive);
     for (std::size_t m = 0; m < job.drive.geometry.racks.size(); ++m)
@@ -185,6 +201,36 @@ std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, cons
 
 }  // namespace
 
+std::optional<Error> contradictory_load(const JobSpec& spec, const Drive& drive) {
+  constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
+                                      // rounding errors
+  const auto differ = [](double own, double rated) {
+    return std::abs(std::abs(own) - std::abs(rated)) > kSameLoad * std::abs(own);
+  };
+  const auto& own = drive.graph.torque_Nm;
+  const auto& rated = spec.rating.torque;
+  const auto& speed = spec.rating.input.speed;
+  if (own && rated && differ(*own, *rated)) {
+    if (const auto& power = spec.rating.power)
+      return Error{"rating.power_kW", format_number(*power),
+                   fmt::format("is a torque of {} N m at {} 1/min, which contradicts the torque of "
+                               "{} N m on the input of the drive; leave out one of the two",
+                               format_number(*rated), format_number(*speed), format_number(*own))};
+    return Error{
+        "rating.torque_Nm", format_number(*rated),
+        fmt::format(
+            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
+            format_number(*own))};
+  }
+  if (speed && !drive.graph.speeds_rpm.empty() && differ(drive.graph.speeds_rpm.front(), *speed))
+    return Error{
+        "rating.speed_rpm", format_number(*speed),
+        fmt::format(
+            "contradicts the speed of {} 1/min of the input of the drive; leave out one of the two",
+            format_number(drive.graph.speeds_rpm.front()))};
+  return std::nullopt;
+}
+
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   DriveLoad load;
   load.common = spec.rating.input;
@@ -198,34 +244,11 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
         "rating.torque_Nm",
         "; a rating needs a load. Give torque_Nm, or power_kW with speed_rpm, on the "
         "input of the drive or in [rating]");
-  constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
-                                      // rounding errors
-  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own)) {
-    if (const auto& power = spec.rating.power)
-      return Error{"rating.power_kW", format_number(*power),
-                   fmt::format("is a torque of {} N m at {} 1/min, which contradicts the torque of "
-                               "{} N m on the input of the drive; leave out one of the two",
-                               format_number(*rated), format_number(*spec.rating.input.speed),
-                               format_number(*own))};
-    return Error{
-        "rating.torque_Nm", format_number(*rated),
-        fmt::format(
-            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
-            format_number(*own))};
-  }
+  if (auto error = contradictory_load(spec, drive)) return *error;
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
   if (!drive.graph.speeds_rpm.empty()) load.speed = std::abs(drive.graph.speeds_rpm.front());
-  if (const auto& speed = spec.rating.input.speed) {
-    if (load.speed && std::abs(*load.speed - *speed) > kSameLoad * *load.speed)
-      return Error{
-          "rating.speed_rpm", format_number(*speed),
-          fmt::format(
-              "contradicts the speed of {} 1/min of the input of the drive; leave out one of the "
-              "two",
-              format_number(drive.graph.speeds_rpm.front()))};
-    load.speed = speed;
-  }
+  if (spec.rating.input.speed) load.speed = spec.rating.input.speed;
   return load;
 }
 
@@ -362,6 +385,12 @@ Verdict judge(const DriveJob& job) {
     if (!ratings[m] && job.drive.flow->driver[m] >= 0)
       verdict.not_judged.push_back(
           fmt::format("rating of the mesh {}", printable(job.drive.graph.meshes[m].name)));
+  const auto spell = [&](std::string& text) { text = spelled(text, job.spec.given, "gear2"); };
+  spell(verdict.headline);
+  for (Finding& f : verdict.findings) {
+    spell(f.message);
+    spell(f.remedy);
+  }
   return verdict;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -167,6 +169,21 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
   return facts;
 }
 
+// Returns the sentence about a mating gear whose profile shift is not measured. The text is empty if
+// the spec determines the profile shift or has no mating gear.
+std::string mate_fact(const Json& tree, int which) {
+  const std::string name = gear_field(3 - which);
+  if (!tree.contains(name) || !tree[name].contains("teeth") ||
+      !tree.value("pair", Json::object()).contains("center_distance_mm"))
+    return "";
+  for (const char* key : {"profile_shift", "measured", "cut_by", "form"})
+    if (tree[name].contains(key)) return "";
+  return fmt::format(
+      "The profile shift of gear {0} is not measured; the program computes it from the centre "
+      "distance. If this gear exists, measure its spans and give them in [{1}.measured].",
+      3 - which, name);
+}
+
 std::vector<Warning> unused_readings(const JobSpec& spec) {
   if (!spec.measured[0] || !spec.measured[1]) return {};
   return {
@@ -204,6 +221,33 @@ std::string alternative_text(const Identification& found, UnitSystem units) {
                      group_text(a.mistake), other, g.teeth, gear);
 }
 
+// Returns the sentence about the measurement that decides between the candidates.
+std::string next_text(const NextMeasurement& n) {
+  const char* const unit = reading_unit(n.reading);
+  const auto expected = [&](std::size_t i) {
+    return fmt::format("{:.3f}{} ± {:.3f}{}", n.expect[i], unit, n.spread[i], unit);
+  };
+  std::vector<std::string> others;
+  for (const int i : n.separates)
+    if (i != n.rival) others.push_back(std::to_string(i + 1));
+  return fmt::format(
+      "\nTo decide between candidates 1 and {}, measure the {}, which is {} or {}.{}\n",
+      n.rival + 1, tool_text(n.reading, n.tool), expected(0), expected(1),
+      others.empty() ? ""
+                     : fmt::format(" This measurement also distinguishes candidate "
+                                   "1 from candidate{} {}.",
+                                   others.size() > 1 ? "s" : "", enumerated(others)));
+}
+
+// True if the candidates differ only in a fitted helix angle whose range contains that of the other
+// candidate.
+bool same_within_range(const IdentifiedGear& a, const IdentifiedGear& b) {
+  return a.normal_module == b.normal_module &&
+         a.normal_pressure_angle.rad() == b.normal_pressure_angle.rad() &&
+         std::abs(a.helix_angle.rad() - b.helix_angle.rad()) <=
+             a.helix_uncertainty.rad() + b.helix_uncertainty.rad();
+}
+
 // Returns the sentence about two likely candidates that no usual measurement distinguishes. The
 // text is empty if there is only one likely candidate, or if a further measurement distinguishes
 // the candidates.
@@ -211,12 +255,16 @@ std::string undecided_text(const Identification& found) {
   // kLikely is the least likelihood of a likely candidate. kClear, in degrees, is the least
   // difference of two helix angles that a measurement can distinguish.
   constexpr double kLikely = 0.01, kClear = 0.1;
-  if (found.next || found.candidates.size() < 2 || found.candidates[1].likelihood < kLikely)
-    return "";
-  const double one = found.candidates[0].helix_angle.deg();
-  const double other = found.candidates[1].helix_angle.deg();
+  if (found.next || found.candidates.empty()) return "";
+  const IdentifiedGear& first = found.candidates.front();
+  const auto rival =
+      std::find_if(found.candidates.begin() + 1, found.candidates.end(),
+                   [&](const IdentifiedGear& g) { return !same_within_range(first, g); });
+  if (rival == found.candidates.end() || rival->likelihood < kLikely) return "";
+  const double one = first.helix_angle.deg(), other = rival->helix_angle.deg();
   return fmt::format(
-      "\nNo further span and no dimension over balls distinguishes candidates 1 and 2{}.\n",
+      "\nNo further span and no dimension over balls distinguishes candidates 1 and {}{}.\n",
+      rival - found.candidates.begin() + 1,
       std::abs(one - other) < kClear ? ""
                                      : fmt::format("; measure the helix angle at the reference "
                                                    "cylinder ({:.3f}° or {:.3f}°) more accurately",
@@ -245,6 +293,8 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
                                         answer.notes.size() + 1, 100 * g.likelihood)});
     for (std::string& fact : open_facts(*problem, g, answer.specs.back()[gear_field(which)]))
       answer.notes.back().push_back(std::move(fact));
+    if (std::string fact = mate_fact(answer.specs.back(), which); !fact.empty())
+      answer.notes.back().push_back(std::move(fact));
   }
   return answer;
 }
@@ -270,8 +320,10 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   if (!found.reason.empty()) text += "\n" + sentence_in(units, capitalised(found.reason)) + ".\n";
   if (found.alternative) text += "\n" + alternative_text(found, units) + "\n";
   if (found.candidates.empty()) return text;
-  TextTable table{"", {"candidate", "likelihood", "module", "α_n", "helix angle", "x_E", "tip"}};
-  table.units = {"", "%", "", "°", "°", "", std::string(unit_text(units, Unit::mm))};
+  TextTable table{
+      "", {"candidate", "likelihood", "module", "α_n", "helix angle", "x_E", "tip", "usual tip"}};
+  const std::string length(unit_text(units, Unit::mm));
+  table.units = {"", "%", "", "°", "°", "", length, length};
   for (const IdentifiedGear& g : found.candidates)
     table.rows.push_back(
         {"",
@@ -280,17 +332,12 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
           module_text(g), fmt::format("{:g}", g.normal_pressure_angle.deg()),
           plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
           plus_minus(g.generating_shift, g.shift_uncertainty, 4),
-          text_in(units, Unit::mm, g.tip_diameter, 3)}});
+          text_in(units, Unit::mm, g.tip_diameter, 3),
+          text_in(units, Unit::mm, g.nominal_tip_diameter, 3)}});
   text += "\n" + table_listing(table);
   for (std::size_t i = 1; i < answer.notes.front().size(); ++i)
     text += (i == 1 ? "\n" : "") + sentence_in(units, answer.notes.front()[i]) + "\n";
-  if (const auto& n = found.next) {
-    const char* const unit = reading_unit(n->reading);
-    text += sentence_in(units, fmt::format("\nTo decide between candidates 1 and {}, measure the "
-                                           "{}, which is {:.3f}{} or {:.3f}{}.\n",
-                                           n->rival + 1, tool_text(n->reading, n->tool),
-                                           n->expect[0], unit, n->expect[1], unit));
-  }
+  if (found.next) text += sentence_in(units, next_text(*found.next));
   text += undecided_text(found);
   return text + "\nThe option --take NUMBER > gear.toml writes the spec of a candidate.\n";
 }

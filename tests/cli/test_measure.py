@@ -324,6 +324,21 @@ class Measuring(Asked):
         for key, line in (("lead_angle_deg", "lead_angle_deg = 72"), ("transverse_pressure_angle_deg", "transverse_pressure_angle_deg = 20")):
             self.refused(BROKEN.replace("teeth = 23\n", f"teeth = 23\n{line}\n"), "gear1." + key, "unknown gear", verb="identify")
 
+    def test_an_unmeasured_mate_and_the_usual_tips_are_named(self):
+        readings = '[gear1]\nteeth = 23\n[gear1.measured]\nspan_mm = { 2 = 9.55, 3 = 15.43 }\ntip_diameter_mm = 52.1\n'
+        alone = " ".join(Run("identify", readings).out.split())
+        self.assertNotIn("is not measured", alone)
+        self.assertIn("usual tip", alone)
+        self.assertIn("This measurement also distinguishes candidate 1 from candidates", alone)
+        for candidate in self.ok("identify", readings)["identify"]["candidates"]:
+            self.assertIn(f'{candidate["drawing"]["nominal_tip_diameter_mm"]:.3f}', alone)
+        with_mate = readings + "[gear2]\nteeth = 61\n[pair]\ncenter_distance_mm = 88.5\n"
+        words = "The profile shift of gear 2 is not measured; the program computes it from the centre distance."
+        self.assertIn(words, " ".join(Run("identify", with_mate).out.split()))
+        taken = Run("identify", with_mate, "--take", 1).out
+        self.assertIn(words, " ".join(taken.replace("#", " ").split()))
+        self.assertNotIn(words, Run("identify", with_mate.replace("teeth = 61", "teeth = 61\nprofile_shift = 0")).out)
+
     def test_readings_that_no_gear_has(self):
         """The readings of a spur gear and a lead contradict each other, because the lead of a spur gear is infinite."""
         spur = ("[gear1]\nteeth = 23\n[gear1.measured]\nspan_mm = {3 = 19.4272, 4 = 26.8075}\ntip_diameter_mm = 63\n"
