@@ -1,0 +1,36 @@
+"""Tests that a message names the key that causes the error, its value, and a remedy that leads to a valid spec."""
+import unittest
+
+from cli import Run
+
+GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
+PAIR = "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 25\n{}[gear2]\nteeth = 43\nface_width_mm = 25\n"
+
+
+class NamedCauses(unittest.TestCase):
+    def refused(self, verb, spec, key, *words, value=None, name="case.toml"):
+        r = Run(verb, spec, "--json", name=name)
+        self.assertEqual(r.status, 1, f"{spec}\n{r.err}")
+        self.assertEqual(r.json["error"]["key"], key, r.err)
+        if value is not None:
+            self.assertEqual(r.json["error"]["value"], value, r.err)
+        for word in words:
+            self.assertIn(word, r.json["error"]["message"])
+        return r
+
+    def test_all_verbs_reject_modifications_that_do_not_fit(self):
+        """Regression: gear, pair and measure were green for these modifications, and contact rejected them."""
+        for keys, key in (("tip_relief_um = 5000\ntip_relief_start_mm = 44\n", "tip_relief_um"),
+                          ("lead_crowning_um = 1e7\n", "lead_crowning_um"),
+                          ("tip_relief_um = 100\ntip_relief_start_mm = 300\n", "tip_relief_start_mm")):
+            spec = PAIR.format("[gear1.modifications]\n" + keys)
+            messages = {self.refused(verb, spec, "gear1.modifications." + key).json["error"]["message"]
+                        for verb in ("gear", "pair", "measure", "contact")}
+            self.assertEqual(len(messages), 1, messages)
+        good = PAIR.format("[gear1.modifications]\ntip_relief_um = 20\ntip_relief_start_mm = 46\n")
+        for verb in ("gear", "pair", "measure"):
+            self.assertEqual(Run(verb, good).status, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
