@@ -171,6 +171,18 @@ void note_cutter_tip(Gear& made, const Gear& cutter) {
            cutter.tip_diameter, 2 * cutter.tooth->tip_radius)});
 }
 
+// Adds a warning if the gear's own cutter is pointed below its given tip diameter. The cutter then
+// cuts a shallower root than its tip diameter promises.
+void warn_of_pointed_cutter(Gear& made, const Gear& cutter) {
+  if (!cutter.spec.tip_diameter || !cutter.pointed()) return;
+  made.warnings.push_back(
+      {WarningCode::pointed,
+       fmt::format("The teeth of the cutter in `cut_by` are pointed and end at a diameter of "
+                   "{:.4f} mm, so they do not reach its `tip_diameter`, {:.4f} mm. The cutter is "
+                   "used as it ends, and the root diameter of the gear is {:.4f} mm.",
+                   2 * cutter.actual_tip_radius(), cutter.tip_diameter, made.root_diameter)});
+}
+
 std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made) {
   GearInput& gear = given.gear(which);
   CutByInput& cut = *gear.cut_by;
@@ -208,7 +220,10 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   if (auto error = check_agreement(gear, *result, which)) return error;
   Gear& cut_gear = made[static_cast<std::size_t>(which - 1)].emplace(std::move(result).take());
   note_default_tip(cut_gear, gear);
-  if (own) note_cutter_tip(cut_gear, *own);
+  if (own) {
+    note_cutter_tip(cut_gear, *own);
+    warn_of_pointed_cutter(cut_gear, *own);
+  }
   gear.cylindrical = cut_gear.spec;
   gear.helix_given = true;
   gear.profile_shift = cut_gear.spec.profile_shift;

@@ -31,6 +31,21 @@ class NamedCauses(unittest.TestCase):
         for verb in ("gear", "pair", "measure"):
             self.assertEqual(Run(verb, good).status, 0)
 
+    def test_a_pointed_cutter_is_a_warning(self):
+        """Regression: the tip diameter of a separate cutter was reduced without a message."""
+        spec = ("[gear1]\nteeth = 17\nnormal_module_mm = 2\nface_width_mm = 20\n[gear2]\nteeth = -60\nface_width_mm = 20\n"
+                "cut_by = {{ teeth = 20, tip_diameter_mm = {} }}\n")
+
+        def pointed(tip):
+            answer = Run("gear", spec.format(tip), "--json").json
+            return [w["message"] for w in answer["warnings"] if w["code"] == "pointed"], answer["gears"][1]
+        words, ring = pointed(100)
+        # Oracle: s = 0 at d = d_b/cos α with inv α = π/40 + inv 20°, d = 46.1533 mm; the ring is cut to 2 · 40 mm + d.
+        self.assertIn("46.1533 mm", words[0])
+        self.assertIn("tip_diameter_mm, 100.0000 mm", words[0])
+        self.assertAlmostEqual(ring["root_diameter_mm"], 80 + 46.1533, delta=1e-4)
+        self.assertEqual(pointed(45)[0], [])
+
 
 if __name__ == "__main__":
     unittest.main()
