@@ -1,7 +1,8 @@
 """Tests that a message names the key that causes the error, its value, and a remedy that leads to a valid spec."""
+import subprocess
 import unittest
 
-from cli import Run
+from cli import BIN, Run
 
 GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
 PAIR = "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 25\n{}[gear2]\nteeth = 43\nface_width_mm = 25\n"
@@ -45,6 +46,35 @@ class NamedCauses(unittest.TestCase):
         self.assertIn("tip_diameter_mm, 100.0000 mm", words[0])
         self.assertAlmostEqual(ring["root_diameter_mm"], 80 + 46.1533, delta=1e-4)
         self.assertEqual(pointed(45)[0], [])
+
+    def test_a_number_that_is_too_large_names_its_key(self):
+        """Regression: the message had no key, and for 1e400 the remedy was to leave out the unit."""
+        for spec, key, number in ((GEAR.replace("= 2\n", "= 1e400\n"), "gear1.normal_module_mm", "1e400"),
+                                  (GEAR.replace("= 20\n", "= 99999999999999999999\n"), "gear1.teeth", "99999999999999999999"),
+                                  ("gear1 = { teeth = 20, rack = { addendum = 1e999 } }", "gear1.rack.addendum", "1e999"),
+                                  ("[[stage]]\nteeth = [20, 30]\n[[stage]]\nteeth = [20, 1e999]\n", "stage[2].teeth", "1e999")):
+            r = self.refused("gear", spec, key, "is too large", "1000000000", value=number)
+            self.assertNotIn("unit", r.err)
+        self.refused("gear", '{"gear1": {"teeth": [20, 1e400]}}', "gear1.teeth[2]", "is too large", value="1e400", name="case.json")
+
+    def test_a_byte_order_mark_does_not_hide_the_format(self):
+        """Regression: JSON with a byte order mark on standard input was read as TOML."""
+        text = '\ufeff{"gear1": {"teeth": 20, "normal_module_mm": 2}}'
+        p = subprocess.run([BIN, "gear", "-"], input=text.encode(), capture_output=True)
+        self.assertEqual(p.returncode, 0, p.stderr)
+
+    def test_texts_of_other_programs_have_a_remedy(self):
+        for text, word in ((GEAR + "profile_shift = \u22120.1\n", "write the minus sign as -"),
+                           (GEAR.replace("\n", "\r"), "save the file with LF or CR LF"),
+                           (GEAR.encode("utf-16-le"), "is UTF-16 text; save it as UTF-8"),
+                           (GEAR.encode("utf-16-be"), "is UTF-16 text; save it as UTF-8")):
+            r = Run("gear", text if isinstance(text, bytes) else text.encode())
+            self.assertEqual(r.status, 1)
+            self.assertIn(word, r.err)
+
+    def test_an_empty_key_is_named(self):
+        r = self.refused("gear", '"" = 1\n' + GEAR, '""', "unknown key in the file", value="1")
+        self.assertIn("case.toml:1:1:", r.err)
 
 
 if __name__ == "__main__":
