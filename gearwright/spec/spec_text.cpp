@@ -16,6 +16,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -126,7 +127,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
       return &tree;
     }
     Open& o = open_.back();
-    if (o.node->is_object()) return &put(*o.node, std::move(o.key), std::move(value));
+    if (o.node->is_object()) return &put(*o.node, o.key, std::move(value));
     o.node->push_back(std::move(value));
     return &o.node->back();
   }
@@ -201,15 +202,15 @@ std::string_view trimmed(std::string_view text, std::string_view of = " \t") {
 // nearest header above, in the line and in its open inline tables.
 std::string path_at(std::string_view text, const toml::source_position& at) {
   std::string path;
-  for (unsigned n = at.line; n > 0 && path.empty(); --n) {
-    const std::string_view header = trimmed(line_at(text, n));
+  std::map<std::string, int, std::less<>> lists;  // number of headers [[name]] so far
+  std::string_view rest = text;
+  for (unsigned n = 1; n <= at.line; ++n) {
+    const std::string_view header = trimmed(rest.substr(0, rest.find_first_of("\r\n")));
+    rest.remove_prefix(std::min(rest.size(), rest.find('\n')));
+    if (!rest.empty()) rest.remove_prefix(1);
     if (!header.starts_with('[')) continue;
     path = trimmed(header.substr(0, header.find(']')), " \t[");
-    if (!header.starts_with("[[")) continue;
-    int count = 0;
-    for (unsigned k = 1; k <= n; ++k)
-      count += trimmed(line_at(text, k)).starts_with("[[" + path + "]]");
-    path += fmt::format("[{}]", count);
+    if (header.starts_with("[[")) path += fmt::format("[{}]", ++lists[path]);
   }
   std::vector<std::string> names{""};
   std::string_view line = line_at(text, at.line).substr(0, at.column);

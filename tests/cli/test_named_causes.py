@@ -76,6 +76,13 @@ class NamedCauses(unittest.TestCase):
         r = self.refused("gear", '"" = 1\n' + GEAR, '""', "unknown key in the file", value="1")
         self.assertIn("case.toml:1:1:", r.err)
 
+    def test_a_reading_without_a_range_is_the_only_missing_value(self):
+        """Regression: the message also named the table [scatter.errors], which is present, as missing."""
+        r = self.refused("scatter", GEAR + "[gear2]\nteeth = 30\n[scatter.errors]\ncrossing_deg = { distribution = \"normal\" }\n",
+                         "scatter.errors.crossing_deg.range")
+        self.assertNotIn("also missing", r.err)
+        self.refused("scatter", GEAR + "[gear2]\nteeth = 30\n", "scatter.errors", "is missing")
+
 
 if __name__ == "__main__":
     unittest.main()
