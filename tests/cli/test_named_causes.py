@@ -83,6 +83,14 @@ class NamedCauses(unittest.TestCase):
         self.assertNotIn("also missing", r.err)
         self.refused("scatter", GEAR + "[gear2]\nteeth = 30\n", "scatter.errors", "is missing")
 
+    def test_a_cutter_with_too_many_teeth_names_a_possible_number(self):
+        """Regression: the error had no value, and the remedy was a cutter without undercut, which the cutter was."""
+        spec = "[gear1]\nteeth = 17\nnormal_module_mm = 2\n[gear2]\nteeth = -60\ncut_by = {{ teeth = {} }}\n"
+        message = self.refused("pair", spec.format(58), "gear2.cut_by.teeth", value="58").json["error"]["message"]
+        teeth = int(message.split("a similar cutter with ")[1].split(" teeth")[0])
+        self.assertLess(teeth, 58)
+        self.assertEqual(Run("gear", spec.format(teeth)).status, 0)
+
 
 if __name__ == "__main__":
     unittest.main()
