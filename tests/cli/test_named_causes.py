@@ -83,6 +83,27 @@ class NamedCauses(unittest.TestCase):
         self.assertNotIn("also missing", r.err)
         self.refused("scatter", GEAR + "[gear2]\nteeth = 30\n", "scatter.errors", "is missing")
 
+    def test_a_set_without_an_output_names_the_bodies(self):
+        """Regression: the messages named the output and the same body, which were not given."""
+        planets = "[planetary]\nsun = 20\nplanet = 25\nring = 70\n"
+        self.refused("drive", planets + 'fixed = ["ring", "carrier"]\n', "planetary.fixed", "leaves no body for the output", "fix fewer bodies")
+        self.assertEqual(Run("drive", planets + 'fixed = ["ring"]\n').status, 0)
+        self.refused("drive", "[planetary]\nplanet = 25\nring = 70\n", "planetary.sun", "no default output")
+        named = '[planetary]\nplanet = 25\nring = 70\nfixed = "ring"\ninput = "carrier"\noutput = "planet"\n'
+        self.assertEqual(Run("drive", named).status, 0)
+
+    def test_a_drive_names_the_place_of_a_key(self):
+        two = "[[stage]]\nteeth = [19, 58]\n[[stage]]\nteeth = [17, 61]\n"
+        self.refused("drive", two + "speed_rpm = 100\n", "stage[2].speed_rpm", value="100")
+        self.refused("drive", two + "torque_Nm = 5\n", "stage[2].torque_Nm", value="5")
+        own = "{ teeth = 20, normal_module_mm = 2, cut_by = { teeth = 20 } }"
+        self.refused("drive", f"[[stage]]\ngears = [{own}, {{ teeth = 30 }}]\n", "stage[1].gears[1].cut_by",
+                     "compute this mesh as a pair")
+        graph = '[drive]\ninput = "a"\noutput = "b"\nmesh = [{ gears = ["A", "B"] }]\ngear = [{ name = "A", body = "a", teeth = 20 }]\n'
+        self.refused("drive", graph, "drive.gear[1].body", "[[drive.body]]")
+        bodies = graph + 'body = [{ name = "a" }, { name = "" }]\n'
+        self.refused("drive", bodies, "drive.body[2].name", "at least one character")
+
     def test_a_cutter_with_too_many_teeth_names_a_possible_number(self):
         """Regression: the error had no value, and the remedy was a cutter without undercut, which the cutter was."""
         spec = "[gear1]\nteeth = 17\nnormal_module_mm = 2\n[gear2]\nteeth = -60\ncut_by = {{ teeth = {} }}\n"
