@@ -97,7 +97,7 @@ void read_bores(TableReader& t, PairStage& pair) {
   if (!value) return;
   const Json list = value->is_array() ? *value : Json::array({*value});
   const auto is_number = [](const Json& item) { return item.is_number(); };
-  if (list.empty() || list.size() > 2 || !std::all_of(list.begin(), list.end(), is_number))
+  if ((value->is_array() && list.size() != 2) || !std::all_of(list.begin(), list.end(), is_number))
     t.fail("bore_mm", "must be a number, or two numbers, one for each gear");
   for (const std::size_t i : {0, 1})
     if (i < list.size() || pair.teeth[i] > 0)

@@ -104,6 +104,15 @@ class NamedCauses(unittest.TestCase):
         bodies = graph + 'body = [{ name = "a" }, { name = "" }]\n'
         self.refused("drive", bodies, "drive.body[2].name", "at least one character")
 
+    def test_a_list_of_a_stage_has_two_numbers(self):
+        """Regression: a list of one number was accepted, and the documents named a list of two numbers only."""
+        stage = "[[stage]]\nteeth = [20, 30]\nnormal_module_mm = 2\n"
+        for key in ("profile_shift", "thickness_allowance_mm", "bore_mm"):
+            for value in ("[1.5]", "[1, 2, 3]"):
+                self.refused("drive", stage + f"{key} = {value}\n", "stage[1]." + key)
+        for value in ("0.1", "[0.1, 0.1]"):
+            self.assertEqual(Run("drive", stage + f"profile_shift = {value}\n").status, 0)
+
     def test_a_cutter_with_too_many_teeth_names_a_possible_number(self):
         """Regression: the error had no value, and the remedy was a cutter without undercut, which the cutter was."""
         spec = "[gear1]\nteeth = 17\nnormal_module_mm = 2\n[gear2]\nteeth = -60\ncut_by = {{ teeth = {} }}\n"
