@@ -232,7 +232,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   auto result = made_at(cutter, gear, wanted);
   if (!result) {
     Error error = result.error();
-    if (own && error.field == "cut_by" && error.value.empty()) {
+    if (own && error.value.empty() && subject_of(error.field).member == GearMember::cutter) {
       error.field = "cut_by.teeth";
       error.value = fmt::format("{}", own->spec.teeth);
       if (const auto teeth = greatest_cutter(given, which, wanted))

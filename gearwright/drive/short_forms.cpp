@@ -108,8 +108,7 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
                         "`fixed`, `input` and `output`");
   if (!spec.fixed && spec.output.empty() && meshes_of(spec).size() == 1)
     return absent_input("planetary.sun",
-                        "; a set of one ring and planets has no default output. Give a sun or a "
-                        "second ring, or give `fixed`, `input` and `output`");
+                        "; one ring has no default output. Give a sun, or give `output`");
   if (!spec.normal_module && (spec.backlash.all || !spec.backlash.each.empty()))
     return Error{"planetary.backlash", "",
                  "needs `normal_module`, because there are no teeth without a module"};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
@@ -170,6 +171,44 @@ std::string table_of_gear(const Json& tree, const std::string& name) {
   contract_failed("precondition", "a gear with its own table", __FILE__, __LINE__);
 }
 
+// Replaces "drive.mesh", "drive.body" and "drive.positions" by the entry of the spec that the error
+// is about. The value of such an error is the name of the mesh or of the body.
+void name_entry(Error& error, const Json& tree) {
+  if (error.field.ends_with("drive.positions") && tree.contains("drive")) {
+    const Json bodies = tree["drive"].value("body", Json::array());
+    const auto placed = [](const Json& body) { return body.contains("positions_deg"); };
+    const auto at = std::find_if(bodies.begin(), bodies.end(), placed);
+    if (std::count_if(bodies.begin(), bodies.end(), placed) == 1)
+      error.field = fmt::format("drive.body[{}].positions_deg", at - bodies.begin() + 1);
+    return;
+  }
+  const bool mesh = error.field.ends_with("drive.mesh");
+  const bool name =
+      !error.value.empty() && !std::isdigit(static_cast<unsigned char>(error.value[0]));
+  if (!name || !(mesh || error.field.ends_with("drive.body"))) return;
+  const std::string list = mesh ? "mesh" : "body";
+  if (!tree.contains("drive")) {  // the short forms have no entries
+    const std::size_t dash = error.value.find('_');
+    const bool stage =
+        tree.contains("stage") && error.value.starts_with('s') && dash != std::string::npos;
+    error.field = stage ? fmt::format("stage[{}]", error.value.substr(1, dash - 1))
+                  : tree.contains("planetary") ? "planetary"
+                                               : "search";
+    error.rule = fmt::format("the {} {}: {}", list, error.value, error.rule);
+    error.value.clear();
+    return;
+  }
+  const Json entries = tree["drive"].value(list, Json::array());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Json& own = entries[i];
+    const bool named = own.contains("name");
+    const std::string its_name = named ? own["name"].get<std::string>()
+                                       : fmt::format("{}_{}", own["gears"][0].get<std::string>(),
+                                                     own["gears"][1].get<std::string>());
+    if (its_name == error.value) error.field = fmt::format("drive.{}[{}]", list, i + 1);
+  }
+}
+
 template <class T>
 T taken(Result<T> made, const Json& tree) {
   if (!made) throw SpecError{spelled(of_drive_table(made.error(), tree))};
@@ -232,6 +271,7 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree) {
 Error of_drive_table(Error error, const Json& tree) {
   constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"";
   if (!error.field.starts_with(kGraph)) return error;
+  name_entry(error, tree);
   if (error.field.starts_with(kGear)) {  // as of_drive_gear() makes it
     const std::size_t end = error.field.find("\"].");
     const std::string gear = error.field.substr(kGear.size(), end - kGear.size());
@@ -240,7 +280,7 @@ Error of_drive_table(Error error, const Json& tree) {
             error.kind};
   }
   for (const std::string own : {"planetary", "stage", "search"})
-    if (tree.contains(own))
+    if (tree.contains(own) && error.field.starts_with(kGraph))
       return {own + "." + error.field.substr(kGraph.size()), error.value, error.rule, error.kind};
   return error;
 }

@@ -113,6 +113,14 @@ class NamedCauses(unittest.TestCase):
         for value in ("0.1", "[0.1, 0.1]"):
             self.assertEqual(Run("drive", stage + f"profile_shift = {value}\n").status, 0)
 
+    def test_remedies_name_keys_that_exist(self):
+        rating = 'material = "16MnCr5"\n'
+        drive = "[[stage]]\nteeth = [20, 30]\nnormal_module_mm = 2\ntorque_Nm = 10\nspeed_rpm = 100\nface_width_mm = 20\n"
+        r = Run("rate", drive + "[rating]\n" + rating)
+        self.assertIn("for a pair of gears without a drive, a shaft with its bearings in gear1.shaft", r.err)
+        r = Run("drive", "[planetary]\nsun = 1\nplanet = 1\nring = 3\nnormal_module_mm = 1\n", "--json")
+        self.assertIn("This key needs a table of the gear", r.json["verdict"]["headline"])
+
     def test_a_cutter_with_too_many_teeth_names_a_possible_number(self):
         """Regression: the error had no value, and the remedy was a cutter without undercut, which the cutter was."""
         spec = "[gear1]\nteeth = 17\nnormal_module_mm = 2\n[gear2]\nteeth = -60\ncut_by = {{ teeth = {} }}\n"
@@ -120,6 +128,25 @@ class NamedCauses(unittest.TestCase):
         teeth = int(message.split("a similar cutter with ")[1].split(" teeth")[0])
         self.assertLess(teeth, 58)
         self.assertEqual(Run("gear", spec.format(teeth)).status, 0)
+
+    def test_a_drive_names_the_entry_and_the_cause(self):
+        graph = ('[drive]\ninput = "a"\noutput = "b"\nbody = [{ name = "a" }, { name = "b" }]\n'
+                 'gear = [{ name = "A", body = "a", teeth = 20 }, { name = "B", body = "b", teeth = 30 }, { name = "C", body = "a", teeth = 9 }]\n'
+                 'mesh = [{ gears = ["A", "B"] }, { gears = ["A", "C"] }]\n')
+        self.refused("drive", graph, "drive.mesh[2]", "both gears are on body a")
+        riders = ('[drive]\ninput = "s"\noutput = "c"\nfixed = "r"\nbody = [{ name = "s" }, { name = "c" }, { name = "r" }, '
+                  '{ name = "p", rides_on = "c", count = 3, positions_deg = [0, 121, 240] }]\n'
+                  'gear = [{ name = "S", body = "s", teeth = 20 }, { name = "P", body = "p", teeth = 25 }, '
+                  '{ name = "R", body = "r", teeth = -70 }]\nmesh = [{ gears = ["S", "P"] }, { gears = ["P", "R"] }]\n')
+        self.refused("drive", riders, "drive.body[4].positions_deg", "cannot be assembled", value="121")
+        # Regression: the headline gave the overlap of copies that cannot be assembled, and "at most 4 copies fit" for 3.
+        spec = ("[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\nnormal_module_mm = 2\nring2 = 72\n"
+                'output = "ring2"\n')
+        verdict = Run("drive", spec, "--json").json["verdict"]
+        self.assertIn("cannot be assembled", verdict["headline"])
+        self.assertNotIn("copies fit", str(verdict))
+        ring = Run("drive", "[[stage]]\nteeth = [20, -25]\nnormal_module_mm = 2\n", "--json").json["verdict"]["headline"]
+        self.assertIn("(tip_diameter_mm in the list gears of the stage)", ring)
 
 
 if __name__ == "__main__":
