@@ -1,8 +1,9 @@
 """Tests that a message names the key that causes the error, its value, and a remedy that leads to a valid spec."""
+import re
 import subprocess
 import unittest
 
-from cli import BIN, Run
+from cli import BIN, SOURCE, Run
 
 GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
 PAIR = "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 25\n{}[gear2]\nteeth = 43\nface_width_mm = 25\n"
@@ -128,6 +129,13 @@ class NamedCauses(unittest.TestCase):
         teeth = int(message.split("a similar cutter with ")[1].split(" teeth")[0])
         self.assertLess(teeth, 58)
         self.assertEqual(Run("gear", spec.format(teeth)).status, 0)
+
+    def test_a_remedy_for_negative_backlash_leaves_none(self):
+        """Regression: with the thickness allowance of the remedy, the backlash was -0.0073 mm."""
+        arcs = (SOURCE / "examples/circular_arc_drive.toml").read_text()
+        spec = arcs.replace("arc_radius = 1.4\n", "arc_radius = 1.5\n") + "\n[pair]\ncenter_distance_mm = 697.17\n"
+        headline = Run("pair", spec, "--json").json["verdict"]["headline"]
+        self.assertGreater(float(re.search(r"the backlash is (-?[0-9.]+) mm", headline)[1]), -1e-3)
 
     def test_a_drive_names_the_entry_and_the_cause(self):
         graph = ('[drive]\ninput = "a"\noutput = "b"\nbody = [{ name = "a" }, { name = "b" }]\n'
