@@ -130,6 +130,12 @@ class NamedCauses(unittest.TestCase):
         self.assertLess(teeth, 58)
         self.assertEqual(Run("gear", spec.format(teeth)).status, 0)
 
+    def test_a_rack_names_the_radius_that_has_no_dedendum(self):
+        """Regression: the message named a dedendum that was not given, and had neither a limit nor a remedy."""
+        arcs = (SOURCE / "examples/circular_arc_drive.toml").read_text()
+        self.refused("pair", arcs.replace("arc_radius = 1.4\n", "arc_radius = 3\n"), "gear1.rack.dedendum",
+                     "no dedendum is possible", "arc_radius would help")
+
     def test_a_remedy_for_negative_backlash_leaves_none(self):
         """Regression: with the thickness allowance of the remedy, the backlash was -0.0073 mm."""
         arcs = (SOURCE / "examples/circular_arc_drive.toml").read_text()
