@@ -143,6 +143,11 @@ class NamedCauses(unittest.TestCase):
         headline = Run("pair", spec, "--json").json["verdict"]["headline"]
         self.assertGreater(float(re.search(r"the backlash is (-?[0-9.]+) mm", headline)[1]), -1e-3)
 
+    def test_the_option_of_a_rack_names_the_gear(self):
+        r = Run("gear", GEAR, "--as-rack", "3,20")
+        self.assertEqual(r.status, 1)
+        self.assertIn("--as-rack = 3,20: is not possible for gear 1: the base pitch", r.err)
+
     def test_a_drive_names_the_entry_and_the_cause(self):
         graph = ('[drive]\ninput = "a"\noutput = "b"\nbody = [{ name = "a" }, { name = "b" }]\n'
                  'gear = [{ name = "A", body = "a", teeth = 20 }, { name = "B", body = "b", teeth = 30 }, { name = "C", body = "a", teeth = 9 }]\n'
