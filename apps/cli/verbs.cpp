@@ -88,7 +88,7 @@ int gear_as_rack(const Options& o) {
     auto rack = gear_as_rack(job->gears[i], *question);
     if (!rack) {
       Error error = rack.error();
-      error.rule = fmt::format("of gear {}: {}", i + 1, error.rule);
+      error.rule = fmt::format("is not possible for gear {}: {}", i + 1, error.rule);
       return door.fail(error);
     }
     racks.push_back(*rack);

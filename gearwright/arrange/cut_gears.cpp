@@ -1,5 +1,6 @@
 #include "gearwright/arrange/cut_gears.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -171,6 +172,39 @@ void note_cutter_tip(Gear& made, const Gear& cutter) {
            cutter.tip_diameter, 2 * cutter.tooth->tip_radius)});
 }
 
+// Adds a warning if the gear's own cutter is pointed below its given tip diameter. The cutter then
+// cuts a shallower root than its tip diameter promises.
+void warn_of_pointed_cutter(Gear& made, const Gear& cutter) {
+  if (!cutter.spec.tip_diameter || !cutter.pointed()) return;
+  made.warnings.push_back(
+      {WarningCode::pointed,
+       fmt::format("The teeth of the cutter in `cut_by` are pointed and end at a diameter of "
+                   "{:.4f} mm, so they do not reach its `tip_diameter`, {:.4f} mm. The cutter is "
+                   "used as it ends, and the root diameter of the gear is {:.4f} mm.",
+                   2 * cutter.actual_tip_radius(), cutter.tip_diameter, made.root_diameter)});
+}
+
+// Returns the greatest number of teeth, less than the given number, with which the gear's own cutter
+// can cut the gear in `wanted`. Returns none if none of the next kTries numbers is possible.
+std::optional<int> greatest_cutter(const GivenPair& given, int which, PinionCutSpec wanted) {
+  constexpr int kTries = 64;
+  const GearInput& input = *given.gear(which).cut_by->cutter;
+  if (input.cylindrical.tip_diameter) return std::nullopt;  // it belongs to the number of teeth
+  CylindricalSpec c = input.cylindrical;
+  c.profile_shift = input.profile_shift.value_or(0.0);
+  const int given_teeth = c.teeth;
+  for (c.teeth = given_teeth - 1; c.teeth > std::max(0, given_teeth - kTries); --c.teeth) {
+    const auto cutter = make_gear(c);
+    if (!cutter || !cutter->exists()) continue;
+    const auto distance = distance_of(given, *cutter, which);
+    if (!distance) continue;
+    wanted.distance = *distance;
+    const auto made = make_pinion_cut_gear(*cutter, wanted);
+    if (made && made->exists()) return c.teeth;
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made) {
   GearInput& gear = given.gear(which);
   CutByInput& cut = *gear.cut_by;
@@ -191,10 +225,17 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
       gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
   const bool by_distance =
       cut.gear != 0 && given.pair.center_distance && !cut.profile_shift_pair && !gear.shift_given;
-  auto result = made_at(cutter, gear,
-                        {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
+  const PinionCutSpec wanted{gear.cylindrical.teeth, *distance, face,
+                             gear.cylindrical.tip_diameter};
+  auto result = made_at(cutter, gear, wanted);
   if (!result) {
-    const Error& error = result.error();
+    Error error = result.error();
+    if (own && error.value.empty() && subject_of(error.field).member == GearMember::cutter) {
+      error.field = "cut_by.teeth";
+      error.value = fmt::format("{}", own->spec.teeth);
+      if (const auto teeth = greatest_cutter(given, which, wanted))
+        error.rule += fmt::format("; a similar cutter with {} teeth cuts the gear", *teeth);
+    }
     if (!by_distance || subject_of(error.field).member != GearMember::cutter)
       return of_given_gear(error, given, which);
     // The generating distance is also the centre distance of the pair, so the error names the
@@ -206,7 +247,10 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   if (auto error = check_agreement(gear, *result, which)) return error;
   Gear& cut_gear = made[static_cast<std::size_t>(which - 1)].emplace(std::move(result).take());
   note_default_tip(cut_gear, gear);
-  if (own) note_cutter_tip(cut_gear, *own);
+  if (own) {
+    note_cutter_tip(cut_gear, *own);
+    warn_of_pointed_cutter(cut_gear, *own);
+  }
   gear.cylindrical = cut_gear.spec;
   gear.helix_given = true;
   gear.shift_given = true;

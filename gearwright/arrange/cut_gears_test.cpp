@@ -67,6 +67,33 @@ TEST(CutGears, note_the_tip_diameter_that_their_cutter_does_not_reach) {
   EXPECT_EQ(note_with(std::nullopt), "");
 }
 
+// The point of the cutter is found by bisection of its tooth thickness, s = d (s_0/d_0 + inv α_0 −
+// inv α).
+TEST(CutGears, warn_of_a_cutter_that_is_pointed_below_its_tip_diameter) {
+  const auto warnings_with = [](double tip_diameter) {
+    GearInput cutter =
+        GearInput::of(testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20.0}));
+    cutter.cylindrical.tip_diameter = tip_diameter;
+    GearInput ring = shaped(-60, 20);
+    ring.cut_by->cutter = std::make_shared<GearInput>(cutter);
+    std::string text;
+    for (const Warning& w : alone(ring).warnings)
+      if (w.code == WarningCode::pointed) text += w.message;
+    return text;
+  };
+  const auto inv = [](double angle) { return std::tan(angle) - angle; };
+  const double alpha = 20 * kPi / 180, d_b = 40 * std::cos(alpha);
+  double lo = 40, hi = 60;
+  for (int i = 0; i < 100; ++i) {
+    const double d = (lo + hi) / 2;
+    (kPi / 40 + inv(alpha) - inv(std::acos(d_b / d)) > 0 ? lo : hi) = d;
+  }
+  EXPECT_NE(warnings_with(100).find("end at a diameter of " + std::to_string(lo).substr(0, 5)),
+            std::string::npos)
+      << warnings_with(100);
+  EXPECT_EQ(warnings_with(45), "");
+}
+
 // The half angle of the cut tooth at this radius, rad. It is found by bisection along the flank.
 double half_angle(const Gear& gear, double radius) {
   const Arc& flank = *gear.tooth->outline.find(ArcName::flank);

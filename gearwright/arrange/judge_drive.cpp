@@ -163,6 +163,10 @@ void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& 
     const auto change = own[i].change ? of_drive(drive, m, *own[i].change) : std::nullopt;
     if (!change || !key_of) continue;
     const std::string key = key_of(*change);
+    // A stage with `teeth` has no key for a tip diameter.
+    if (key.empty() && change->what == Adjustable::tip_diameter && !input.stages.empty() &&
+        !drive.graph.frame(drive.graph.meshes[m]))
+      f.remedy.insert(f.remedy.size() - 1, " (tip_diameter_mm in the list gears of the stage)");
     if (key.empty()) continue;
     f.change = own[i].change;
     f.change->path = key;

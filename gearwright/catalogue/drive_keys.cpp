@@ -102,7 +102,7 @@ Key power_key(Part part) {
       .with_excludes({"torque_Nm"});
 }
 
-constexpr KeyList kOneOrTwo{.most = 2, .single = true};
+constexpr KeyList kOneOrTwo{.least = 2, .most = 2, .single = true};
 
 template <class T>
 Key series_key(std::string T::*member) {
@@ -167,7 +167,7 @@ Key bore_key() {
                    "the outside diameter of its rim")
                 .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"});
   key.range = KeyRange::positive();
-  key.list = KeyList{.most = 2, .single = true};
+  key.list = kOneOrTwo;
   return key;
 }
 
@@ -305,7 +305,7 @@ const KeyTable& stage_keys() {
                    KeyPlace::within<S>([](S & s) -> auto& { return s.stage.pair.shifts; }),
                    "computed from the centre distance", "profile shifts")
            .with_list(kOneOrTwo)
-           .with_form("a list of two numbers"),
+           .with_form("a number for both gears, or a list of two numbers"),
        Key::number("thickness_allowance_mm", "E_sn", {}, {&S::plain, &PairTeeth::allowance}, "0",
                    "thickness allowances")
            .with_list(kOneOrTwo)

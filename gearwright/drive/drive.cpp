@@ -197,7 +197,9 @@ void find_facts(Drive& drive) {
     }
   for (const PlanetSet& set : drive.sets) {
     const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
-    if (set.neighbours && set.neighbours->clearance < 0.0)
+    // Copies that cannot be assembled have no positions at which neighbours could be compared.
+    const bool too_many = set.assembly.places > 0 && set.group.count > set.assembly.places;
+    if (set.neighbours && set.neighbours->clearance < 0.0 && !too_many)
       say(WarningCode::planets_collide,
           fmt::format("Neighbouring copies of {} overlap by {:.4f} mm. At most {} copies fit at "
                       "equal pitch.",

@@ -88,6 +88,9 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
                         "; a set of one sun and planets has no default for the fixed, the driving "
                         "and the driven body. Give a ring or a second sun, or name these bodies by "
                         "`fixed`, `input` and `output`");
+  if (!spec.fixed && spec.output.empty() && meshes_of(spec).size() == 1)
+    return absent_input("planetary.sun",
+                        "; one ring has no default output. Give a sun, or give `output`");
   if (!spec.normal_module && (spec.backlash.all || !spec.backlash.each.empty()))
     return Error{"planetary.backlash", "",
                  "needs `normal_module`, because there are no teeth without a module"};
@@ -152,6 +155,12 @@ std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
     output = "carrier";
     for (const char* other : {"ring2", "ring", "sun2", "sun"})
       if (taken(output) && find_body(graph, other, "")) output = other;
+    if (taken(output))
+      return Error{
+          spec.fixed ? "drive.fixed" : "drive.input",
+          fmt::format("{}", fmt::join(spec.fixed ? fixed : inputs, ", ")),
+          fmt::format("leaves no body for the output (fixed: {}; input: {}); fix fewer bodies",
+                      fmt::join(fixed, ", "), fmt::join(inputs, ", "))};
   }
   if (auto error = find_bodies(graph, fixed, "drive.fixed", graph.fixed)) return error;
   if (auto error = find_bodies(graph, inputs, "drive.input", graph.inputs)) return error;
@@ -399,13 +408,13 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
       own.friction = stages[k].friction;
     }
     if (k > 0 && own.inputs.size() != 1)
-      return Error{"drive.input", std::to_string(own.inputs.size()),
+      return Error{fmt::format("stage[{}].input", k + 1), std::to_string(own.inputs.size()),
                    fmt::format("stage {} must have exactly one input, because the output of the "
                                "previous stage drives it",
                                k + 1)};
     if (k > 0 && (!own.speeds_rpm.empty() || own.torque_Nm)) {
       const bool speed = !own.speeds_rpm.empty();
-      return Error{speed ? "drive.speed" : "drive.torque",
+      return Error{fmt::format("stage[{}].{}", k + 1, speed ? "speed" : "torque"),
                    format_number(speed ? own.speeds_rpm.front() : *own.torque_Nm),
                    fmt::format("must not be given for stage {}, because the first stage determines "
                                "this value; give the value in the first stage",

@@ -155,7 +155,9 @@ void warn_about_tooth(Gear& gear) {
                      gear.root_diameter,
                      gear.spec.root_fillet ? ""
                                            : " With few teeth, `root_fillet` can replace the root "
-                                             "that the cutter cuts."));
+                                             "that the cutter cuts. This key needs a table of the "
+                                             "gear: [gear1], [[drive.gear]], or the list gears of "
+                                             "a [[stage]]."));
     return;
   }
   if (tooth.severed) {

@@ -159,7 +159,8 @@ std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& en
   return Error{
       "cut_by", "",
       "a sharp edge of the cutter outside its rolling circle generates a loop that does not touch "
-      "the tooth; use a cutter that has no undercut, or change the generating centre distance"};
+      "the tooth; use a cutter with fewer teeth, a shorter tip or no undercut, or change the "
+      "generating centre distance"};
 }
 
 }  // namespace

@@ -71,6 +71,16 @@ TEST(ScatterCorrelations, RefusesAMatrixThatIsNone) {
       "scatter.correlations[1].value", "0.8274");
 }
 
+// Oracle: the variance that is independent of the other input is 1 − ρ². It must exceed 1e-9, so ρ
+// is less than √(1 − 1e-9) = 0.99999999949….
+TEST(ScatterCorrelations, StatesTheLimitOfRounding) {
+  const std::string pair = R"([{"between": ["errors.crossing_deg", "errors.intersecting_deg"],)";
+  expect_no_correlation(pair + R"("value": 0.9999999999}])", "scatter.correlations[1].value",
+                        "is 0.9999999994");
+  expect_no_correlation(pair + R"("value": -0.9999999999}])", "scatter.correlations[1].value",
+                        "is -0.9999999994");
+}
+
 // A bore is correlated with a bore as a whole, and with a number by one of its coordinates.
 TEST(ScatterCorrelations, OfBoresWavesAndPitches) {
   const auto error_of = [](const char* between, int quality = 6) {

@@ -44,8 +44,8 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
         "rating.face_load_factor",
         halves == 1
             ? fmt::format("; give the factor, for example `face_load_factor` = 1.2, or give the "
-                          "arrangement of the pinion in `mounting` or a shaft with its bearings in "
-                          "{}",
+                          "arrangement of the pinion in `mounting` or, for a pair of gears without "
+                          "a drive, a shaft with its bearings in {}",
                           gear_field(1, "shaft"))
             : "; give the factor, for example `face_load_factor` = 1.2; for double-helical gears, "
               "the factor cannot be computed from the arrangement of the pinion"));

@@ -48,6 +48,9 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   return missing;
 }
 
+constexpr std::array<std::string_view, 4> kTolerances{"scatter.errors.", "scatter.bearings.",
+                                                      "scatter.gear1.", "scatter.gear2."};
+
 bool any_tolerance(const JobSpec& spec) {
   const ScatterInput& s = spec.scatter;
   const auto graded = [](const auto& gear) { return gear && gear->tolerance.quality; };
@@ -66,6 +69,14 @@ bool any_tolerance(const JobSpec& spec) {
   };
   return s.bearings || std::any_of(s.errors.begin(), s.errors.end(), given) ||
          std::any_of(s.gears.begin(), s.gears.end(), of_gear);
+}
+
+// True if a table of [scatter] has a key, so that the error about this table is the only one.
+bool begins_tolerances(const JobSpec& spec) {
+  return std::any_of(spec.given.begin(), spec.given.end(), [](const std::string& key) {
+    return std::any_of(kTolerances.begin(), kTolerances.end(),
+                       [&](std::string_view table) { return key.starts_with(table); });
+  });
 }
 
 // False for circular-arc gears and for crossed axes. For such gears, no missing inputs of a rating
@@ -142,7 +153,7 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (under_torque && !torque)
     missing.push_back(absent_input(
         "load.torque_Nm", "; give a torque on gear 1 in N m, for example torque_Nm = 100"));
-  if (use == SpecUse::scatter && !any_tolerance(spec))
+  if (use == SpecUse::scatter && !any_tolerance(spec) && !begins_tolerances(spec))
     missing.push_back(absent_input(
         "scatter.errors",
         "; the command `gearwright scatter` needs a range for at least one number. Give "

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
@@ -136,7 +137,7 @@ void read_bores(TableReader& t, PairStage& pair) {
   if (!value) return;
   const Json list = value->is_array() ? *value : Json::array({*value});
   const auto is_number = [](const Json& item) { return item.is_number(); };
-  if (list.empty() || list.size() > 2 || !std::all_of(list.begin(), list.end(), is_number))
+  if ((value->is_array() && list.size() != 2) || !std::all_of(list.begin(), list.end(), is_number))
     t.fail("bore_mm", "must be a number, or two numbers, one for each gear");
   for (const std::size_t i : {0, 1})
     if (i < list.size() || pair.teeth[i] > 0)
@@ -233,6 +234,44 @@ std::string key_of_mesh(const Json& tree, const std::string& name, const std::st
   contract_failed("precondition", "a mesh with its own number", __FILE__, __LINE__);
 }
 
+// Replaces "drive.mesh", "drive.body" and "drive.positions" by the entry of the spec that the error
+// is about. The value of such an error is the name of the mesh or of the body.
+void name_entry(Error& error, const Json& tree) {
+  if (error.field.ends_with("drive.positions") && tree.contains("drive")) {
+    const Json bodies = tree["drive"].value("body", Json::array());
+    const auto placed = [](const Json& body) { return body.contains("positions_deg"); };
+    const auto at = std::find_if(bodies.begin(), bodies.end(), placed);
+    if (std::count_if(bodies.begin(), bodies.end(), placed) == 1)
+      error.field = fmt::format("drive.body[{}].positions_deg", at - bodies.begin() + 1);
+    return;
+  }
+  const bool mesh = error.field.ends_with("drive.mesh");
+  const bool name =
+      !error.value.empty() && !std::isdigit(static_cast<unsigned char>(error.value[0]));
+  if (!name || !(mesh || error.field.ends_with("drive.body"))) return;
+  const std::string list = mesh ? "mesh" : "body";
+  if (!tree.contains("drive")) {  // the short forms have no entries
+    const std::size_t dash = error.value.find('_');
+    const bool stage =
+        tree.contains("stage") && error.value.starts_with('s') && dash != std::string::npos;
+    error.field = stage ? fmt::format("stage[{}]", error.value.substr(1, dash - 1))
+                  : tree.contains("planetary") ? "planetary"
+                                               : "search";
+    error.rule = fmt::format("the {} {}: {}", list, error.value, error.rule);
+    error.value.clear();
+    return;
+  }
+  const Json entries = tree["drive"].value(list, Json::array());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Json& own = entries[i];
+    const bool named = own.contains("name");
+    const std::string its_name = named ? own["name"].get<std::string>()
+                                       : fmt::format("{}_{}", own["gears"][0].get<std::string>(),
+                                                     own["gears"][1].get<std::string>());
+    if (its_name == error.value) error.field = fmt::format("drive.{}[{}]", list, i + 1);
+  }
+}
+
 template <class T>
 T taken(Result<T> made, const Json& tree) {
   if (!made) throw SpecError{spelled(of_drive_table(made.error(), tree))};
@@ -295,6 +334,7 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree) {
 Error of_drive_table(Error error, const Json& tree) {
   constexpr std::string_view kGraph = "drive.", kGear = "drive.gear[\"", kMesh = "drive.mesh[\"";
   if (!error.field.starts_with(kGraph)) return error;
+  name_entry(error, tree);
   if (error.field.starts_with(kGear)) {  // as of_drive_gear() makes it
     const std::size_t end = error.field.find("\"].");
     const std::string gear = error.field.substr(kGear.size(), end - kGear.size());
@@ -309,7 +349,7 @@ Error of_drive_table(Error error, const Json& tree) {
             error.kind};
   }
   for (const std::string own : {"planetary", "stage", "search"})
-    if (tree.contains(own))
+    if (tree.contains(own) && error.field.starts_with(kGraph))
       return {own + "." + error.field.substr(kGraph.size()), error.value, error.rule, error.kind};
   return error;
 }

@@ -23,6 +23,11 @@ std::size_t place_of(const std::vector<std::string>& names, const std::string& n
                      const std::string& field, const char* what) {
   const auto it = std::find(names.begin(), names.end(), name);
   if (it != names.end()) return static_cast<std::size_t>(it - names.begin());
+  if (names.empty())
+    throw SpecError{{field, fmt::format("\"{}\"", printable(name, 40)),
+                     fmt::format("there is no such {0}, because the drive has none; give every {0} "
+                                 "in a table [[drive.{0}]] with its name",
+                                 what)}};
   throw SpecError{{field, fmt::format("\"{}\"", printable(name, 40)),
                    fmt::format("there is no such {}; the known names are {}{}", what,
                                fmt::join(names, ", "), did_you_mean(name, names))}};
@@ -30,11 +35,15 @@ std::size_t place_of(const std::vector<std::string>& names, const std::string& n
 
 template <class Item>
 void check_names(const std::vector<Item>& items, const std::string& table) {
-  for (std::size_t i = 0; i < items.size(); ++i)
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name.empty())
+      throw SpecError{
+          {fmt::format("{}[{}].name", table, i + 1), "\"\"", "must have at least one character"}};
     for (std::size_t k = 0; k < i; ++k)
       if (items[i].name == items[k].name)
         throw SpecError{{fmt::format("{}[{}].name", table, i + 1), printable(items[i].name, 40),
                          "is already the name of another entry"}};
+  }
 }
 
 std::vector<std::string> add_bodies(const GraphInput& in, DriveGraph& graph) {
@@ -183,6 +192,8 @@ void refuse_in_drive(const Json& node, const std::string& path) {
   };
   if (node.contains("measured"))
     refuse("measured", "is allowed only for a gear that is to be identified");
+  if (node.contains("cut_by"))
+    refuse("cut_by", "is not supported in a drive; compute this mesh as a pair");
   if (node.contains("tip_fillet"))
     refuse("tip_fillet", "is not supported in a drive; compute this mesh as a pair");
   if (!node.contains("tolerance") || !node["tolerance"].is_object()) return;

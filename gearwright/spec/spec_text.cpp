@@ -12,10 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -37,6 +39,12 @@ Error syntax_error(const std::string& what) { return {"", "", "the spec cannot b
 
 Error too_deep() {
   return syntax_error(fmt::format("the spec has tables nested more than {} levels deep", kDeepest));
+}
+
+Error number_too_large(const std::string& key, const std::string& number) {
+  return {key, printable(number, 60),
+          fmt::format("the number is too large; every number must lie between -{0} and {0}",
+                      kMaxInput)};
 }
 
 // Appends a member to an object. A check for duplicates would take quadratic time. It is not
@@ -91,8 +99,10 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
     open_.back().key = name;
     return true;
   }
-  bool parse_error(std::size_t read, const std::string&,
+  bool parse_error(std::size_t read, const std::string& token,
                    const nlohmann::json::exception& error) override {
+    constexpr int kOverflow = 406;  // json.exception.out_of_range.406
+    if (error.id == kOverflow) throw SpecError{number_too_large(path(), token)};
     error_at = read - std::min<std::size_t>(read, 1);  // `read` includes the rejected character
     // Messages of the library begin with "[json.exception.parse_error.101] ".
     const std::string what = error.what();
@@ -102,6 +112,14 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   }
 
  private:
+  // Returns the path of the value that is being read.
+  std::string path() const {
+    std::string path;
+    for (const Open& o : open_)
+      path += o.node->is_array() ? fmt::format("[{}]", o.node->size() + 1)
+                                 : (path.empty() ? "" : ".") + printable(o.key, 60);
+    return path;
+  }
   struct Open {
     Json* node;
     std::set<std::string> keys{};
@@ -184,12 +202,69 @@ Digits digits_at(std::string_view line, std::size_t before, std::size_t after) {
   return {line.substr(begin, before - begin), line.substr(after, end - after)};
 }
 
+std::string_view line_at(std::string_view text, unsigned number) {
+  for (unsigned line = 1; line < number; ++line) text.remove_prefix(text.find('\n') + 1);
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+std::string_view trimmed(std::string_view text, std::string_view of = " \t") {
+  const std::size_t begin = text.find_first_not_of(of);
+  return begin == text.npos ? std::string_view()
+                            : text.substr(begin, text.find_last_not_of(of) + 1 - begin);
+}
+
+// Returns the path of the key whose value the parser reads at `at`, which are the names in the
+// nearest header above, in the line and in its open inline tables.
+std::string path_at(std::string_view text, const toml::source_position& at) {
+  std::string path;
+  std::map<std::string, int, std::less<>> lists;  // number of headers [[name]] so far
+  std::string_view rest = text;
+  for (unsigned n = 1; n <= at.line; ++n) {
+    const std::string_view header = trimmed(rest.substr(0, rest.find_first_of("\r\n")));
+    rest.remove_prefix(std::min(rest.size(), rest.find('\n')));
+    if (!rest.empty()) rest.remove_prefix(1);
+    if (!header.starts_with('[')) continue;
+    path = trimmed(header.substr(0, header.find(']')), " \t[");
+    if (header.starts_with("[[")) path += fmt::format("[{}]", ++lists[path]);
+  }
+  std::vector<std::string> names{""};
+  std::string_view line = line_at(text, at.line).substr(0, at.column);
+  for (std::size_t begin = 0, i = 0; i < line.size(); ++i) {
+    if (line[i] == '=') names.back() = trimmed(line.substr(begin, i - begin), " \t\"'");
+    if (line[i] == '{') names.emplace_back();
+    if (line[i] == '}' && names.size() > 1) names.pop_back();
+    if (line[i] == '=' || line[i] == '{' || line[i] == ',') begin = i + 1;
+  }
+  for (const std::string& name : names)
+    if (!name.empty()) path += (path.empty() ? "" : ".") + name;
+  return path;
+}
+
+// Returns the error if the parser rejected a number because it is too large. The description then
+// contains the number in quotes.
+std::optional<Error> large_number(std::string_view text, const toml::parse_error& error) {
+  const std::string_view what = error.description();
+  const std::size_t begin = what.find('\'');
+  const std::size_t end = begin == what.npos ? begin : what.find('\'', begin + 1);
+  if (end == what.npos) return std::nullopt;
+  const std::string number(what.substr(begin + 1, end - begin - 1));
+  char* rest = nullptr;
+  const double value = std::strtod(number.c_str(), &rest);
+  const bool of_number = !number.empty() && rest == number.c_str() + number.size();
+  if (!of_number || !(std::abs(value) > kMaxInput)) return std::nullopt;
+  return number_too_large(path_at(text, error.source().begin), number);
+}
+
 // Returns a hint if the line of the parser error contains a usual slip: "2,5", "1/2", ".5", "2.5
 // mm", text without quotes, or "[gear 1]". `at_comma` is true if the parser rejected a comma.
 std::string slip_hint(std::string_view text, const toml::source_position& at, bool at_comma) {
-  for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
-  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  std::string_view line = line_at(text, at.line);
   line = line.substr(0, line.find('#'));
+  if (text.find('\r') != text.npos && text.find('\n') == text.npos)
+    return "; the lines end with CR only; save the file with LF or CR LF at the ends of lines";
+  // U+2212 and U+2013, which look like the minus sign of ASCII.
+  if (line.find("\xE2\x88\x92") != line.npos || line.find("\xE2\x80\x93") != line.npos)
+    return "; write the minus sign as -, the hyphen of the keyboard";
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     if (!(line[i] == '/' || (line[i] == ',' && at_comma)) || !is_digit(line[i - 1]) ||
         !is_digit(line[i + 1]))
@@ -231,7 +306,7 @@ TextPlace place_of(const toml::source_region& source) {
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {
-    const std::string_view name = key.str();
+    const std::string_view name = key.str().empty() ? "\"\"" : key.str();
     const bool whole =
         path.starts_with(name) &&
         (path.size() == name.size() || path[name.size()] == '.' || path[name.size()] == '[');
@@ -299,6 +374,7 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
   } catch (const SpecError& e) {
     return e.error;
   } catch (const toml::parse_error& e) {
+    if (auto error = large_number(text, e)) return *error;
     const auto& at = e.source().begin;
     return syntax_error(
         fmt::format("line {}, column {}: {}{}", at.line, at.column, e.description(),
@@ -347,8 +423,9 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
   }
   // Editors on Windows offer UTF-16 as "Unicode". Such a file begins with the byte order mark
-  // U+FEFF.
-  if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF"))
+  // U+FEFF, or with a character of ASCII, one byte of which is 0.
+  const bool half_empty = read.text.size() > 1 && (read.text[0] == '\0') != (read.text[1] == '\0');
+  if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF") || half_empty)
     return syntax_error(name + " is UTF-16 text; save it as UTF-8");
   const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);
   if (in_folder) read.folder = path.parent_path();
@@ -358,7 +435,8 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     read.text = std::move(made).take();
     return read;
   }
-  const std::size_t first = read.text.find_first_not_of(" \t\r\n");
+  const std::size_t mark = read.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // U+FEFF in UTF-8
+  const std::size_t first = read.text.find_first_not_of(" \t\r\n", mark);
   const bool brace = first != std::string::npos && read.text[first] == '{';
   if (in_folder ? path.extension() == ".json" : brace || path.extension() == ".json")
     read.format = SpecFormat::json;

@@ -179,7 +179,7 @@ void TableReader::refuse_unknown() const {
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
     const std::string_view instead = not_supported(name(key));
     if (!instead.empty()) throw SpecError{{name(key), shown(value), std::string(instead)}};
-    const std::string called = printable(key, 60);
+    const std::string called = key.empty() ? "\"\"" : printable(key, 60);
     if (error) {
       others.push_back(called);
     } else {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
@@ -106,6 +107,40 @@ double full_radius(const ArcRack& rack) {
   return (w * w + c * c - q * q) / (2 * (q + c));
 }
 
+namespace {
+
+// Returns the y coordinate of the centre of the tip rounding. The rounding fits if this is at most
+// the middle of the cutter's tip, π/2.
+double rounding_place(const ArcRack& rack) {
+  const RackArc flank = flank_of(rack);
+  const double begin = std::asin(joint_sine(rack, rack.root_fillet_radius));
+  return flank.center_offset + (flank.radius + rack.root_fillet_radius) * std::cos(begin);
+}
+
+// Returns the greatest dedendum below that of `rack`, rounded down to four decimals, with which its
+// tip rounding fits. Returns none if no dedendum is possible.
+std::optional<double> greatest_dedendum(const ArcRack& rack) {
+  constexpr int kSteps = 1000, kHalvings = 50;
+  const auto fits = [&](double dedendum) {
+    ArcRack other = rack;
+    other.dedendum = dedendum;
+    return !check_joint(other) && rounding_place(other) <= kHalfPi;
+  };
+  const double step = (rack.dedendum + rack.addendum) / kSteps;
+  for (int i = 1; i < kSteps; ++i) {
+    double good = rack.dedendum - i * step, bad = good + step;
+    if (!fits(good)) continue;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = (good + bad) / 2;
+      (fits(middle) ? good : bad) = middle;
+    }
+    return rounded_down(good, 4);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (auto error = check_numbers(rack)) return *error;
   if (auto error = check_joint(rack)) return *error;
@@ -156,12 +191,21 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
     // the dedendum can be reduced.
     ArcRack full = rack;
     full.root_fillet_radius = full_radius(rack);
+    const auto deepest = greatest_dedendum(rack);
     return full.root_fillet_radius >= 0.0 && !check_joint(full)
                ? refused("rack.root_fillet_radius", rho, {full.root_fillet_radius},
                          "does not fit into the tip of the cutter; the greatest possible radius "
                          "(full radius) is {}")
-               : refused("rack.dedendum", rack.dedendum,
-                         "the tooth of the cutter becomes pointed before it reaches this dedendum");
+               : refused(
+                     "rack.dedendum", rack.dedendum,
+                     fmt::format("the tooth of the cutter becomes pointed before it reaches this "
+                                 "dedendum; {}",
+                                 deepest ? fmt::format("with these radii and centres, the "
+                                                       "dedendum must be at most {}",
+                                                       format_number(*deepest))
+                                         : std::string("no dedendum is possible with these radii "
+                                                       "and centres; a smaller `arc_radius` "
+                                                       "would help")));
   }
   if (rack.pressure_angle) {
     const auto [lo, hi] = std::minmax({flank.begin.rad(), flank.end.rad()});

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "gearwright/base/printable.hpp"
+#include "gearwright/pair/stated_backlash.hpp"
 #include "gearwright/verdict/margins.hpp"
 
 namespace gearwright::detail {
@@ -41,8 +42,8 @@ Level level_in(const std::vector<Finding>& findings, const Finding& like) {
 // spec. Each change is evaluated only once.
 class Trials {
  public:
-  Trials(const std::vector<Finding>& before, const TryChange& attempt)
-      : before_(before), attempt_(attempt) {}
+  Trials(const std::vector<Finding>& before, const TryChange& attempt, double normal_module)
+      : before_(before), attempt_(attempt), no_backlash_(no_backlash(normal_module)) {}
 
   const std::optional<ChangedState>& of(const SpecChange& change, TryDepth depth) {
     const Key key{change.what, change.gear, change.value, depth};
@@ -63,6 +64,10 @@ class Trials {
       return std::nullopt;
     const std::optional<ChangedState>& state = of(change, depth);
     if (!state || level_in(state->findings, finding) > Level::green) return std::nullopt;
+    // The finding of circular-arc teeth compares j_bn with its limit. At a large pressure angle, j_n
+    // is then still negative.
+    if (finding.code == WarningCode::negative_backlash && state->backlash <= -no_backlash_)
+      return std::nullopt;
     for (const Finding& f : state->findings)
       if (f.level > std::max(level_in(before_, f), accepted_)) return std::nullopt;
     return score_of(state->findings);
@@ -73,6 +78,7 @@ class Trials {
   const std::vector<Finding>& before_;
   const TryChange& attempt_;
   Level accepted_ = Level::green;
+  double no_backlash_;  // mm
   std::map<Key, std::optional<ChangedState>> done_;
 };
 
@@ -184,7 +190,7 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
 
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt) {
   const std::vector<Finding> before = findings;
-  Trials trials(before, attempt);
+  Trials trials(before, attempt, judged.gears[0]->spec.normal_module);
   const auto place = pattern_place(judged);
   std::string strength;  // the remedy shared by all findings about safety factors
   for (Finding& finding : findings) {

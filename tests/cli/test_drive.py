@@ -53,8 +53,8 @@ class Examples(unittest.TestCase):
 class Stages(unittest.TestCase):
     def test_keys_that_a_stage_does_not_have_lead_to_their_place(self):
         two = "[[stage]]\nteeth = [19, 58]\n[[stage]]\nteeth = [17, 61]\n"
-        for spec, *words in ((two + "speed_rpm = 1000\n", "stage.speed_rpm = 1000", "first stage"),
-                             (two + "torque_Nm = 5\n", "stage.torque_Nm = 5", "stage 2"),
+        for spec, *words in ((two + "speed_rpm = 1000\n", "stage[2].speed_rpm = 1000", "first stage"),
+                             (two + "torque_Nm = 5\n", "stage[2].torque_Nm = 5", "stage 2"),
                              ('[[stage]]\ngears = [{ teeth = 20, normal_module_mm = 3 }, { form = "rack" }]\n',
                               "stage[1].gears[2].form", "[[drive.gear]]"),
                              (two + "output_torque_Nm = 80\n", "stage[2].output_torque_Nm", "T_out/(i η)"),
