@@ -120,9 +120,7 @@ export interface Catalogue {
   objectives: Objective[];
   inputs: InputTable[]; // the table of the file itself comes first
   quantities: QuantityTable[];
-  // For each unit of length, the unit that replaces it in the inch system, the size of that unit, and the change
-  // in the number of decimals.
-  inchUnits: Record<string, [unit: string, size: number, digits: number]>;
+  inchUnits: Record<string, [unit: string, size: number, digits: number]>; // by the unit that is replaced
 }
 
 // ---------------------------------------------------------------------------------- geometry
@@ -306,8 +304,7 @@ export interface MeshView {
 export interface ShiftView {
   width: number; // px, width of the figure
   aspect: number; // width over height of the plot
-  // Least and greatest x1, then least and greatest x2. If the value is null, the window
-  // surrounds the region.
+  // Least and greatest x1, then least and greatest x2. If the value is null, the window surrounds the region.
   window: [number, number, number, number] | null;
 }
 
