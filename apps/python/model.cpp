@@ -27,20 +27,11 @@ const Key* find(const std::vector<const KeyTable*>& tables, const std::string& k
   return nullptr;
 }
 
-// Raises SpecError if the given number is within the range of the key and the converted number is
-// not. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
-// helix_angle_deg = 15.
+// Raises the error of missing_unit() for the value of a spec.
 void check_unit(const Key& key, const std::string& name, const Json& given, const Json& converted) {
-  if (!given.is_number() || !key.range.limited()) return;
-  const auto x = given.get<double>();
-  if (key.range.contains(converted.get<double>()) || !key.range.contains(x)) return;
-  const bool angle = key.key.ends_with("_deg") || key.key.ends_with("_arcsec");
-  raise(refused(
-      name, x,
-      fmt::format(
-          "is outside the allowed range, because a value without a unit in its key is in {}; use "
-          "{} = {:g} for a value in the unit of that key",
-          angle ? "rad" : "mm", key.key, x)));
+  if (!given.is_number()) return;
+  if (const auto error = missing_unit(key, name, given.get<double>(), converted.get<double>()))
+    raise(*error);
 }
 
 std::vector<const KeyTable*> tables_under(const std::vector<const KeyTable*>& tables,
@@ -85,6 +76,26 @@ Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std:
     made[key] = std::move(value);
   }
   return made;
+}
+
+const Key* key_of_name(const KeyTable& table, const std::string& name) {
+  const Key* key = table.find(name);
+  for (auto house = kHouseUnits.begin(); !key && house != kHouseUnits.end(); ++house)
+    key = table.find(name + std::string(unit_suffix(house->unit)));
+  return key;
+}
+
+std::optional<Error> missing_unit(const Key& key, const std::string& name, double given,
+                                  double converted) {
+  if (!key.range.limited() || key.range.contains(converted) || !key.range.contains(given))
+    return std::nullopt;
+  const bool angle = key.key.ends_with("_deg") || key.key.ends_with("_arcsec");
+  return refused(
+      name, given,
+      fmt::format(
+          "is outside the allowed range, because a value without a unit in its key is in {}; use "
+          "{} = {:g} for a value in the unit of that key",
+          angle ? "rad" : "mm", key.key, given));
 }
 
 std::string house_key(const Key& key) {

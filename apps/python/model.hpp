@@ -45,6 +45,13 @@ ModelPtr with_two_gears(ModelPtr model);
 /// helix_angle = 0.26 becomes helix_angle_deg = 14.9. An unknown name is unchanged, and the
 /// reader of the spec rejects it.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
+/// Returns the key with this name, which may lack the unit of the key, or null.
+const Key* key_of_name(const KeyTable& table, const std::string& name);
+/// Returns an error if the given number is within the range of the key and the converted number is
+/// not. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
+/// helix_angle_deg = 15. `name` is the name of the key in the error.
+std::optional<Error> missing_unit(const Key& key, const std::string& name, double given,
+                                  double converted);
 /// Returns the name of the key without its unit, for example normal_module for the key
 /// normal_module_mm. The value under this name is in mm or rad. If there is no such name, returns
 /// the key itself.

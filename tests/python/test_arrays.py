@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from common import BIN, pair, pinion, wheel
+from common import BIN, SOURCE, pair, pinion, wheel
 
 ARCSEC = math.radians(1 / 3600)
 ERRORS = {"crossing_deg": 0.03, "center_distance": 0.02, "helix_slope1_um": 4}
@@ -128,6 +128,40 @@ def test_sweep_has_the_whole_message():
     assert list(rows["error"]) == [str(e.value), ""] and len(str(e.value)) > 80
     assert rows["center_distance_mm"][1] == 78.7 and math.isnan(rows["center_distance_mm"][0])
     assert pair().sweep(center_distance=[])["error"].shape == (0,)
+
+
+def plain(**more):
+    gears = [gw.Gear(teeth=z, normal_module=2.5, face_width=25) for z in (17, 43)]
+    return gw.Pair(*gears, **more)
+
+
+def test_sweep_and_replace_agree():
+    # Regression: backlash=[0.1] was an angle of 0.1 rad, because only keys without a list of numbers could be varied.
+    row = plain().sweep(backlash=[0.1])[0]
+    assert row["backlash_normal_mm"] == plain().replace(backlash=0.1).backlash.normal == pytest.approx(0.1)
+    basic = gw.load(SOURCE / "examples" / "basic_gear_pair.toml")
+    rated = gw.load(SOURCE / "examples" / "rated_pair.toml")
+    # Regression: the rules between several keys applied to replace() only.
+    for p, change in ((pair(), {"backlash_deg": 0.1}), (pair(), {"backlash": 0.1}), (basic, {"gear1": {"profile_shift": 0.123}}),
+                      (basic, {"gear1": {"teeth": 10}}), (rated, {"speed_rpm": 500}), (pair(), {"shaft_angle": 30}),
+                      (pair(), {"gear2": {"teeth": 43.5}}), (pair(), {"gear1": {"normal_module": -1}})):
+        with pytest.raises(gw.SpecError) as e:
+            p.replace(**change)
+        as_row = {k: {name: [x] for name, x in v.items()} if isinstance(v, dict) else [v] for k, v in change.items()}
+        row = p.sweep(**as_row)[0]
+        assert row["error"] == str(e.value) and math.isnan(row["center_distance_mm"]), change
+    shifts = [-0.2, 0.1, 0.4]
+    rows = pair().sweep(gear1={"profile_shift": shifts}, center_distance=[78.4, 78.6, 78.9])
+    for row, x, a in zip(rows, shifts, rows["center_distance_mm"], strict=True):
+        alone = pair().replace(gear1={"profile_shift": x}, center_distance=a)
+        assert not row["error"] and row["backlash_normal_mm"] == alone.backlash.normal
+
+
+def test_sweep_needs_two_gears():
+    rack = gw.load({"gear1": {"teeth": 20, "normal_module": 2, "face_width": 20}, "gear2": {"form": "rack"}})
+    with pytest.raises(gw.SpecError) as e:
+        rack.sweep(center_distance=[20.0])
+    assert e.value.key.startswith("gear2")
 
 
 def test_a_forgotten_unit_is_named():
