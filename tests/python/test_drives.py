@@ -51,6 +51,15 @@ def test_trains_and_ratings():
     assert error.value.key == "planetary.fixed"
 
 
+def test_every_speed_has_an_input():
+    # Regression: with a second speed, the bodies of a set with one input had no speeds.
+    for drive, key in ((lambda: gw.planetary(**{**KEYS, "speed_rpm": [1500, 20]}), "planetary.speed_rpm"),
+                       (lambda: gw.train({"teeth": [19, 58], "speed_rpm": [1500, 20]}), "stage.speed_rpm")):
+        with pytest.raises(gw.SpecError, match="has 2 speeds, but the drive has 1 input") as e:
+            drive()
+        assert e.value.key == key and e.value.value == "[1500, 20]"
+
+
 def test_spec_files_keep_their_folder(tmp_path):
     (tmp_path / "flank.csv").write_text("diameter_mm,z_mm,removed_um\n42,-10,1\n42,10,1\n44,-10,1\n44,10,1\n")
     gear = {"normal_module_mm": 2, "face_width_mm": 20}
