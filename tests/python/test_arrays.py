@@ -336,6 +336,46 @@ def test_closed_forms_out_of_their_domain():
     assert gw.Gear(teeth=10, normal_module=1, profile_shift=least[0] - 1e-3).undercut is True
     with pytest.raises(ValueError, match="could not be broadcast|shape mismatch"):
         gw.center_distance([1, 2], [1, 2, 3])
+    # Regression: these rows were numbers, such as a centre distance of -60 mm for a module of -2 mm.
+    table = gw.pair_table([17, 17, 17, -17, -43, 43, 17], [43, 43, 43, -43, 17, -17, -43],
+                          normal_module=[-2, 0, math.inf, 1, 1, 1, 1])
+    for name, column in table.items():
+        assert np.isnan(column[:-1]).all() and not math.isnan(column[-1]), name
+    assert gw.center_distance(17, -43) == pytest.approx(13) and math.isnan(gw.contact_ratio(17, 43, normal_module=0))
+
+
+def test_shift_limits():
+    # Regression: the least shift of an internal gear was the end of the searched shifts, -65 for 60 teeth.
+    least, greatest = gw.shift_limits([-60, -20])
+    assert np.isneginf(least).all()
+    ring = gw.Gear(teeth=-60, normal_module=1, profile_shift=greatest[0] - 1e-9)
+    assert ring.tip_diameter == pytest.approx(ring.base_diameter, abs=1e-7)
+    thick = gw.shift_limits(-60, tip_thickness=0.9)
+    assert -5 < thick[0] < thick[1] == greatest[0]
+    ring = gw.Gear(teeth=-60, normal_module=1, profile_shift=thick[0])
+    assert ring.tip_tooth_thickness_normal == pytest.approx(0.9, abs=1e-9)
+    pinion = gw.Gear(teeth=17, normal_module=1, profile_shift=gw.shift_limits(17)[1])
+    assert pinion.tip_tooth_thickness_normal == pytest.approx(0.2, abs=1e-9)
+    for z in (17, -60):
+        for name in ("tip_thickness", "addendum", "flank_depth"):
+            assert np.isnan(gw.shift_limits(z, **{name: math.nan})).all(), (z, name)
+
+
+def test_arguments_of_closed_forms_are_named():
+    row = np.array([1.0, 1.2])
+    for call, name in ((lambda: gw.pair_table(17, 43, addendum=row), "addendum"),
+                       (lambda: gw.pair_table(17, 43, flank_depth=[1, 2]), "flank_depth"),
+                       (lambda: gw.pair_table(17, 43, normal_pressure_angle=row), "normal_pressure_angle"),
+                       (lambda: gw.pair_table(17, 43, columns="contact_ratio"), "columns"),
+                       (lambda: gw.backlash(17, 43, 0, 0, 31, normal_module=row), "normal_module"),
+                       (lambda: gw.shift_limits(17, tip_thickness=row), "tip_thickness"),
+                       (lambda: gw.center_distance(17, 43, module=2), r"center_distance\(\).*'module'.*normal_module"),
+                       (lambda: gw.contact_ratio(17, 43, columns=("sliding",)), r"contact_ratio\(\).*'columns'")):
+        with pytest.raises(TypeError, match="^" + name):
+            call()
+    with pytest.raises(ValueError, match="'foo'.*contact_ratio_true"):
+        gw.pair_table(17, 43, columns=("foo",))
+    assert gw.pair_table(17, 43, addendum=np.array(1.0), columns=["sliding"]).keys() == {"sliding"}
 
 
 @pytest.mark.parametrize("angle", [5.0, -1.0, 0.0, math.pi / 2, math.nan, math.inf, 1e308])
