@@ -23,9 +23,12 @@ namespace {
 struct Swept {
   const Key* key;
   std::string table;  ///< "pair", "gear1" or "gear2"
+  std::string name;   ///< the key in the spec, whose lengths may be in inch
   std::string path;   ///< the name of the key as the caller gives it, after the table
   Numbers numbers;
   double unit;  ///< size of one unit of `numbers` in the unit of the key
+  const KeyUnit*
+      inch;  ///< the unit of the spec, if `numbers` are converted to inch; otherwise null
 };
 
 bool can_be_swept(const Key& key) {
@@ -45,28 +48,37 @@ const Key& key_of(const KeyTable& table, const std::string& name, const std::str
 }
 
 Swept swept(const KeyTable& keys, const std::string& table, const std::string& name,
-            py::handle column) {
+            py::handle column, UnitSystem units) {
   const std::string path = table + "." + name;
-  const Key& key = key_of(keys, name, path);
+  const bool in_inch = units == UnitSystem::inch;
+  const Key& key = key_of(keys, in_inch ? metric_key(name) : name, path);
   const auto numbers = real_numbers(column);
   if (!numbers || numbers->ndim() != 1)
     raise(Error{path, "", "must be a one-dimensional array or a list of real numbers"});
-  return {&key, table, path, *numbers, key.key == name ? 1.0 : units_per_house(key)};
+  const bool with_unit = name == key.key || name == key_in(units, key.key);
+  if (with_unit) return {&key, table, name, path, *numbers, 1.0, nullptr};
+  return {&key,
+          table,
+          key_in(units, key.key),
+          path,
+          *numbers,
+          units_per_house(key),
+          in_inch ? metric_unit(key.key) : nullptr};
 }
 
-std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
+std::vector<Swept> swept_keys(const py::kwargs& kwargs, UnitSystem units) {
   std::vector<Swept> all;
   for (const auto& [name_of_key, column] : kwargs) {
     const std::string name = py::str(name_of_key);
     const auto [gear, member] = subject_of(name);
     if (gear == 0 || member != GearMember::none) {
-      all.push_back(swept(pair_keys(), "pair", name, column));
+      all.push_back(swept(pair_keys(), "pair", name, column, units));
       continue;
     }
     if (!py::isinstance<py::dict>(column))
       raise(Error{name, "", "must be a dict with keys of the gear and their arrays"});
     for (const auto& [inner, numbers] : py::reinterpret_borrow<py::dict>(column))
-      all.push_back(swept(gear_keys(), name, std::string(py::str(inner)), numbers));
+      all.push_back(swept(gear_keys(), name, std::string(py::str(inner)), numbers, units));
   }
   if (all.empty())
     raise(Error{"sweep", "",
@@ -84,10 +96,11 @@ std::optional<Error> put(Json& spec, const Swept& s, std::size_t row) {
   const double given = s.numbers.data()[row];
   if (!std::isfinite(given))
     return Error{s.path, fmt::format("{}", given), "must be a finite number"};
-  const double x = given * s.unit;
+  double x = given * s.unit;
   if (auto error = missing_unit(*s.key, s.path, given, x)) return error;
+  if (s.inch) x = s.inch->to_inch(x);
   const bool whole = s.key->kind == KeyKind::whole && x == std::round(x) && std::abs(x) < 1e15;
-  spec[s.table][std::string(s.key->key)] = whole ? Json(static_cast<long long>(x)) : Json(x);
+  spec[s.table][s.name] = whole ? Json(static_cast<long long>(x)) : Json(x);
   return std::nullopt;
 }
 
@@ -119,7 +132,7 @@ py::array with_texts(const py::array& rows, const char* name,
 py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
   threads_in_range(threads);
   const ModelPtr model = with_two_gears(pair.model);
-  const std::vector<Swept> keys = swept_keys(kwargs);
+  const std::vector<Swept> keys = swept_keys(kwargs, units_of(model->spec));
   const auto rows = static_cast<std::size_t>(keys.front().numbers.size());
   StructuredArray array(pair_quantities().table());
   array.allocate(rows);
@@ -149,7 +162,8 @@ void bind_sweep(py::class_<PairValue>& pair) {
       "pair, for example in sweep(center_distance=distances) or sweep(gear1={\"profile_shift\": "
       "shifts}). Returns a structured array with a row for each value and a column for each "
       "quantity, named by its key. If a pair does not exist, its row is NaN and contains the "
-      "message that replace() raises in `error`. The computation uses all cores and releases the GIL");
+      "message that replace() raises in `error`. The computation uses all cores and releases the "
+      "GIL");
 }
 
 }  // namespace gearwright::python
