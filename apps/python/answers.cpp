@@ -8,10 +8,12 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/job/analysis.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/verbs.hpp"
@@ -111,6 +113,7 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     return of({make_model(std::move(spec), folder, Scope::pair)});
   });
   bind_verdict(type);
+  bind_value(type);
   type.def_property_readonly("pair", [](const Self& s) { return PairValue{s.model}; })
       .def("__repr__", [](const Self& s) { return repr_of(s); });
   for (const QuantityInfo* info : table.list)
@@ -120,8 +123,8 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// Returns the spec that a dict, a Pair, a Gear or another object contains, and the folder of
-// this spec.
+// Returns the spec that a dict, a Pair, a Gear, a Drive or another object contains, and the folder
+// of this spec.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
@@ -132,9 +135,13 @@ std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
     if (!gear.model->job.pair) return {gear.model->spec, gear.model->folder};
     Json tree = Json::object();
     tree["gear1"] = gear.spec();
-    return {tree, gear.model->folder};
+    return {spec_with_keys(std::move(tree)), gear.model->folder};
   }
-  return read_tree(spec);
+  const py::object drive = py::module_::import("gearwright._drives").attr("Drive");
+  if (!py::isinstance(spec, drive)) return read_tree(spec);
+  const py::object folder = spec.attr("_folder");
+  return {spec_with_keys(tree_of(spec.attr("_spec"), "")),
+          path_or_none(folder, "folder").value_or("")};
 }
 
 JobSpec read_spec_of(const py::object& given, const py::object& own_folder = py::none()) {
@@ -155,18 +162,19 @@ py::object fit(const py::object& given) {
   const JobSpec spec = read_spec_of(given);
   const FitAnswer found =
       watched_result(spec.given, [&](Progress* progress) { return answer_fit(spec, progress); });
-  return by_name(Value(fit_quantities().of(found)));
+  return by_name(fit_quantities().table(), Value(fit_quantities().of(found)));
 }
 
 py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   auto [tree, folder] = spec_and_folder(given);
-  const Json changes = with_keys(tree_of(kwargs, "compensate"), {&compensate_keys()}, "compensate");
+  const Json changes =
+      with_keys(tree_of(kwargs, "compensate"), {&compensate_keys()}, units_of(tree), "compensate");
   for (const auto& [key, value] : changes.items()) tree["compensate"][key] = value;
   const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;
   const CompensateAnswer found = watched_result(
       model->given(), [&](Progress* progress) { return kCompensateAnalysis.find(job, progress); });
-  return by_name(Value(kCompensateAnalysis.record(job, found)));
+  return by_name(compensate_quantities().table(), Value(kCompensateAnalysis.record(job, found)));
 }
 
 // Returns the columns of the samples. These are the inputs, such as "errors.crossing_deg" or
@@ -223,7 +231,8 @@ void write_members(const ScatterAnswer& a, const std::string& spec, const py::ob
 
 py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   auto [tree, folder] = spec_and_folder(given);
-  const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
+  const Json changes =
+      with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, units_of(tree), "scatter");
   for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
   const std::string spec = json_text(tree);
   const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
@@ -231,7 +240,8 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   const auto found = std::make_shared<const ScatterAnswer>(watched_result(
       model->given(), [&](Progress* progress) { return kScatterAnalysis.find(job, progress); }));
   const ScatterView view = scatter_view(job, *found);
-  const py::object record = by_name(Value(scatter_quantities().of(view)));
+  const py::object record =
+      by_name(scatter_quantities().table(), Value(scatter_quantities().of(view)));
   const py::object set = record.attr("_attributes").attr("__setitem__");
   set("members", members_of(*found));
   std::vector<Figure> figures = scatter_figures(view);
@@ -312,11 +322,14 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
            "contact() accepts. Absent values are taken from the pair's spec");
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "", py::arg("folder") = py::none(),
         ("Returns the program's JSON answer as a dict. `spec` is a dict with the tables of a spec "
-         "file, the path of such a file, a Pair or a Gear; `verb` is one of " +
+         "file, the path of such a file, a Pair, a Gear or a Drive; `verb` is one of " +
          verb_names() +
          "; the default for two gears is the verb `pair`. Relative file names in a dict start at "
          "`folder`")
             .c_str());
+  m.def("_in_mm", [](const py::object& spec) {
+    return to_python(spec_with_units(spec_with_keys(tree_of(spec, "")), UnitSystem::mm));
+  });
   m.def("_read", [](const py::object& path) {
     const auto [tree, folder] = read_tree(path);
     return py::make_tuple(to_python(tree), folder);

@@ -37,6 +37,7 @@ py::list keys_of(const KeyTable& table) {
     py::dict one;
     one["key"] = key.key;
     one["name"] = house_key(key);
+    one["in_inch"] = key_in(UnitSystem::inch, key.key);
     one["kind"] = kKinds[static_cast<std::size_t>(key.kind)];
     one["list"] = key.list.has_value();
     list.append(one);

@@ -4,6 +4,7 @@
 // A column has a number for each row, or one number for all rows. A row outside the domain of a
 // formula becomes NaN. Broadcasting, default values and names are in gearwright/closed_forms.py.
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -134,9 +135,12 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
 }
 
 // Returns the least and the greatest profile shift of each row. Rows with the same number of teeth
-// and helix angle share one computation.
+// and helix angle share one computation. The least shift of an internal gear is −∞ if the tip is
+// thick enough as far as the shifts were searched.
 py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha_n, double addendum,
                        double edge_depth, double tip_thickness) {
+  const bool all_finite =
+      std::isfinite(addendum) && std::isfinite(edge_depth) && std::isfinite(tip_thickness);
   SearchProblem problem;
   problem.normal_pressure_angle = Angle::radians(alpha_n);
   problem.limits.tip_thickness = tip_thickness;
@@ -154,14 +158,16 @@ py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha
       const double z = in[0][i], beta = in[1][i];
       const std::pair key{z, beta};
       if (key != last_key) {
-        const bool valid = z == std::round(z) && z != 0.0 && std::abs(z) < 1e6 &&
+        const bool valid = all_finite && z == std::round(z) && z != 0.0 && std::abs(z) < 1e6 &&
                            std::abs(beta) < std::numbers::pi / 2;
         const auto [at, is_new] = valid ? known.try_emplace(key) : std::pair(known.end(), false);
         if (is_new) {
           const TrialGear gear =
               trial_gear(problem, static_cast<int>(z), Angle::radians(beta), 0, 0);
           const bool none = gear.x_min > gear.x_max;
-          at->second = none ? std::pair(kNoNumber, kNoNumber) : std::pair(gear.x_min, gear.x_max);
+          const bool unlimited = z < 0 && gear.x_min <= -farthest_shift(gear.teeth);
+          const double least = unlimited ? -std::numeric_limits<double>::infinity() : gear.x_min;
+          at->second = none ? std::pair(kNoNumber, kNoNumber) : std::pair(least, gear.x_max);
         }
         last = valid ? at->second : std::pair(kNoNumber, kNoNumber);
         last_key = key;

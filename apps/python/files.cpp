@@ -2,6 +2,7 @@
 // of gears.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
@@ -164,13 +165,16 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
 }
 
 // Makes the workshop drawing, with a sheet for each gear or rack. If a path is given, its extension
-// determines the format, and `format` is ignored.
+// determines the format, which `format` must not contradict.
 py::object drawing(const std::vector<int>& gears, const Model& model,
-                   const std::optional<fs::path>& path, const std::string& format,
+                   const std::optional<fs::path>& path, const std::optional<std::string>& format,
                    const std::optional<std::string>& sheet, double tolerance) {
-  const auto kind = sheet_format(path.value_or("drawing." + format));
-  if (!kind && path) raise({"path", path->string(), "must end in .pdf, .svg or .dxf"});
-  if (!kind) raise({"format", format, "must be pdf, svg or dxf"});
+  const auto wanted = sheet_format("drawing." + format.value_or("pdf"));
+  if (!wanted) raise({"format", *format, "must be pdf, svg or dxf"});
+  const auto kind = path ? sheet_format(*path) : wanted;
+  if (!kind) raise({"path", path->string(), "must end in .pdf, .svg or .dxf"});
+  if (format && kind != wanted)
+    raise({"format", *format, "contradicts the ending of the path; leave out this argument"});
   if (sheet && *sheet != "A4" && *sheet != "A3") raise({"sheet", *sheet, "must be A4 or A3"});
   FileOptions options;
   options.drawing_tolerance_mm = tolerance_in_range(tolerance, kDrawingTolerances);
@@ -222,15 +226,17 @@ void bind_exports(Class& type) {
   }
   type.def(
       "drawing",
-      [](const Self& self, const py::object& path, const std::string& format,
+      [](const Self& self, const py::object& path, const std::optional<std::string>& format,
          const std::optional<std::string>& sheet, double tolerance) {
         return drawing(self.gears(), *self.model, path_or_none(path, "path"), format, sheet,
                        tolerance);
       },
-      py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = py::none(),
+      py::arg("path") = py::none(), py::arg("format") = py::none(), py::arg("sheet") = py::none(),
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, one sheet for each gear or rack: A4, or A3 if the scale "
-      "on A4 would be smaller than 1:2, or the given sheet (\"A4\" or \"A3\"). Returns the bytes of the file in the given format (pdf, svg or dxf), or writes the file to path, "
+      "Workshop drawing with the gear data, one sheet for each gear or rack: the given sheet (\"A4\" "
+      "or \"A3\"), by default A4, or A3 if the scale on A4 would be smaller than 1:2. Returns the "
+      "bytes of the file in the given format (pdf, svg or dxf; by default pdf), or writes the file "
+      "to path, "
       "whose ending determines the format. The drawn outline is within tolerance (mm) of the exact "
       "outline");
 }

@@ -8,7 +8,6 @@
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::python {
@@ -35,9 +34,20 @@ Json changes_of(const py::kwargs& kwargs) {
   return changes;
 }
 
+// Returns the units after a change: those that the call gives, or those of the object. None stands
+// for mm. An unknown word is left to the reader of the spec.
+UnitSystem units_after(const py::kwargs& kwargs, UnitSystem own) {
+  if (!kwargs.contains(kUnitsKey)) return own;
+  const py::object word = kwargs[kUnitsKey];
+  if (word.is_none()) return UnitSystem::mm;
+  Json given = Json::object();
+  given[kUnitsKey] = tree_of(word, kUnitsKey);
+  return units_of(given);
+}
+
 // Moves the keywords that belong to [pair] into this table. A call may contain both such
-// keywords and whole tables of the spec.
-Json pair_changes(const py::kwargs& kwargs) {
+// keywords and whole tables of the spec. `units` are the units of the spec after the change.
+Json pair_changes(const py::kwargs& kwargs, UnitSystem units) {
   Json spec = Json::object();
   const Json changes = changes_of(kwargs);
   for (const auto& [key, value] : changes.items()) {
@@ -47,12 +57,22 @@ Json pair_changes(const py::kwargs& kwargs) {
       (spec_keys().find(key) ? spec : spec["pair"])[key] = value;
     }
   }
-  return spec_with_keys(std::move(spec));
+  const Json word = spec.value(kUnitsKey, Json());
+  spec[kUnitsKey] = to_string(units);
+  spec = spec_with_keys(std::move(spec));
+  spec.erase(kUnitsKey);
+  if (!word.is_null() && word != to_string(units))
+    spec[kUnitsKey] = word;  // rejected by the reader
+  return spec;
 }
 
-GearValue gear_value(const Json& gear, const fs::path& folder) {
+GearValue gear_value(Json gear, const fs::path& folder) {
   Json spec = Json::object();
-  spec["gear1"] = with_keys(gear, {&gear_keys()});
+  if (const auto units = gear.find(kUnitsKey); units != gear.end()) {
+    spec[kUnitsKey] = *units;
+    gear.erase(kUnitsKey);
+  }
+  spec["gear1"] = with_keys(std::move(gear), {&gear_keys()}, units_of(spec));
   auto made = solved_model(std::move(spec), folder, Scope::gears);
   if (!made) raise_of_gear(made.error());
   return {std::move(made).take(), 1};
@@ -63,31 +83,39 @@ PairValue pair_value(Json spec, const fs::path& folder) {
 }
 
 GearValue replaced(const GearValue& gear, const py::kwargs& kwargs) {
-  Json tree = gear.spec();
-  change(tree, with_keys(changes_of(kwargs), {&gear_keys()}));
+  const Json own = gear.spec();
+  const UnitSystem units = units_after(kwargs, units_of(own));
+  Json tree = Json::object();
+  if (units == UnitSystem::inch) tree[kUnitsKey] = to_string(units);
+  tree.update(gear_with_units(own, units));
+  change(tree, with_keys(changes_of(kwargs), {&gear_keys()}, units));
   return gear_value(tree, gear.model->folder);
 }
 
 PairValue mounted(const GearValue& gear_1, const GearValue& gear_2, const py::kwargs& kwargs) {
+  const Json one = gear_1.spec();
+  const UnitSystem units = units_after(kwargs, units_of(one));
   Json spec = Json::object();
-  spec["gear1"] = gear_1.spec();
-  spec["gear2"] = gear_2.spec();
-  change(spec, pair_changes(kwargs));
+  if (units == UnitSystem::inch) spec[kUnitsKey] = to_string(units);
+  spec["gear1"] = gear_with_units(one, units);
+  spec["gear2"] = gear_with_units(gear_2.spec(), units);
+  change(spec, pair_changes(kwargs, units));
   return pair_value(std::move(spec), gear_1.model->folder);
 }
 
 PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
-  Json spec = pair.model->spec;
+  const UnitSystem units = units_after(kwargs, units_of(pair.model->spec));
+  Json spec = spec_with_units(pair.model->spec, units);
   // A Gear replaces the whole table of the gear. A dict changes only the keys that it contains.
   for (const char* gear : {"gear1", "gear2"})
     if (kwargs.contains(gear) && py::isinstance<GearValue>(kwargs[gear])) spec.erase(gear);
-  change(spec, pair_changes(kwargs));
+  change(spec, pair_changes(kwargs, units));
   return pair_value(std::move(spec), pair.model->folder);
 }
 
 py::object load(const py::object& given) {
   auto [spec, folder] = read_tree(given);
-  if (is_path(given)) spec = inherit(spec).tree;
+  if (is_path(given)) spec = inherited(spec);
   if (spec.contains("gear2")) return py::cast(pair_value(std::move(spec), folder));
   return py::cast(GearValue{make_model(std::move(spec), folder, Scope::gears), 1});
 }
@@ -112,24 +140,6 @@ Value value_of_gear(const GearValue& g, const Quantity& q) {
   return g.halves() ? Value(quantity(g.record(), q.info.key)) : value_of(q, g.gear());
 }
 
-// Adds the methods that Gear and Pair have in common. Two values are equal if their specs are
-// equal.
-template <class Self>
-void bind_value(py::class_<Self>& type) {
-  type.def("__getitem__",
-           [](const Self& s, const std::string& key) {
-             const py::dict all = by_key(s.record());
-             if (!all.contains(key)) throw py::key_error(key);
-             return py::object(all[py::str(key)]);
-           })
-      .def("__eq__",
-           [](const Self& a, const py::object& b) {
-             return py::isinstance<Self>(b) &&
-                    json_text(a.spec()) == json_text(b.cast<const Self&>().spec());
-           })
-      .def("__hash__", [](const Self& s) { return py::hash(py::str(json_text(s.spec()))); });
-}
-
 }  // namespace
 
 std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& m) {
@@ -137,7 +147,7 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
       m, "Gear",
       "A cylindrical gear, made from the keys of [gear1] of a spec. A key with its unit "
       "(helix_angle_deg) takes a value in this unit; a key without unit (normal_module, "
-      "helix_angle) takes a value in mm or rad");
+      "helix_angle) takes a value in mm or rad. With units=\"inch\", keys of lengths end in _in");
   gear.def(py::init([](const py::kwargs& kwargs) { return gear_value(tree_of(kwargs, ""), {}); }))
       .def(
           "replace", [](const GearValue& g, const py::kwargs& k) { return replaced(g, k); },
@@ -193,7 +203,7 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
       "rack",
       [](const PairValue& p) -> py::object {
         if (!p.rack()) return py::none();
-        return by_name(Value(rack_quantities().of(p.rack()->rack)));
+        return by_name(rack_quantities().table(), Value(rack_quantities().of(p.rack()->rack)));
       },
       "The quantities of the rack as a Record, or None if gear 2 is not a rack");
   bind_made(pair, pair_value);

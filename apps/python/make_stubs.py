@@ -60,11 +60,12 @@ def records_of(text, tables):
 
 
 def keywords(keys):
+    """Returns the keywords of a table: keys, keys without their unit, and keys of lengths in inch."""
     kinds = {"number": "float", "whole": "int", "boolean": "bool", "text": "str"}
     lines, seen = [], set()
     for key in keys:
         kind = "Any" if key["list"] else kinds.get(key["kind"], "Any")
-        for name in (key["key"], key["name"]):
+        for name in (key["key"], key["name"], key["in_inch"]):
             if name not in seen:
                 seen.add(name)
                 lines.append(f"        {name}: {kind} | None = ...,\n")
@@ -113,11 +114,15 @@ def main():
                                    for file in ("step", "stl", "threemf", "glb", "dxf", "svg"))
     names = {entry["name"] for entry in tables["pair"]}
     of_racks = [dict(entry, always=False) for entry in tables["rack_pair"] if entry["name"] not in names]
-    for name, entries in (("gear", tables["gear"]), ("pair", tables["pair"] + of_racks), ("contact", contact + columns),
+    # Quantities that a pair of gears always has and a rack pair lacks, such as the shaft angle, may be None.
+    racks = {entry["name"] for entry in tables["rack_pair"]}
+    of_pairs = [dict(entry, always=entry["always"] and entry["name"] in racks) for entry in tables["pair"]]
+    for name, entries in (("gear", tables["gear"]), ("pair", of_pairs + of_racks), ("contact", contact + columns),
                           ("rating", tables["rating"]), ("loaded", tables["load"])):
         made[f"{name} attributes"] = attributes(entries)
     for name in ("gear", "pair", "compensate", "scatter", "rating", "load", "contact"):
         made[f"{name} keywords"] = keywords(keys[name])
+    made["gear keywords"] = "        units: str | None = ...,\n" + made["gear keywords"]
     made["sweep keywords"] = made["pair keywords"].replace("float | None", "ArrayLike")
     for mark, body in made.items():
         text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright::python {
 
@@ -21,26 +23,35 @@ void scale(Json& value, double factor) {
   }
 }
 
+// Converts every number of a value to inch.
+void scale_to_inch(Json& value, const KeyUnit& unit) {
+  if (value.is_structured()) {
+    for (Json& v : value) scale_to_inch(v, unit);
+  } else if (value.is_number()) {
+    value = unit.to_inch(value.get<double>());
+  }
+}
+
+Json in_mm(const Json& spec) {
+  try {
+    GivenKeys given;
+    return in_catalogue_units(spec, given);
+  } catch (const SpecError& e) {
+    raise(e.error);
+  }
+}
+
 const Key* find(const std::vector<const KeyTable*>& tables, const std::string& key) {
   for (const KeyTable* table : tables)
     if (const Key* found = table->find(key)) return found;
   return nullptr;
 }
 
-// Raises SpecError if the given number is within the range of the key and the converted number is
-// not. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
-// helix_angle_deg = 15.
+// Raises the error of missing_unit() for the value of a spec.
 void check_unit(const Key& key, const std::string& name, const Json& given, const Json& converted) {
-  if (!given.is_number() || !key.range.limited()) return;
-  const auto x = given.get<double>();
-  if (key.range.contains(converted.get<double>()) || !key.range.contains(x)) return;
-  const bool angle = key.key.ends_with("_deg") || key.key.ends_with("_arcsec");
-  raise(refused(
-      name, x,
-      fmt::format(
-          "is outside the allowed range, because a value without a unit in its key is in {}; use "
-          "{} = {:g} for a value in the unit of that key",
-          angle ? "rad" : "mm", key.key, x)));
+  if (!given.is_number()) return;
+  if (const auto error = missing_unit(key, name, given.get<double>(), converted.get<double>()))
+    raise(*error);
 }
 
 std::vector<const KeyTable*> tables_under(const std::vector<const KeyTable*>& tables,
@@ -60,7 +71,8 @@ const HouseUnit* unit_of(std::string_view key) {
 
 }  // namespace
 
-Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path) {
+Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, UnitSystem units,
+               const std::string& path) {
   Json made = Json::object();
   for (auto& [name, value] : tree.items()) {
     const auto house = std::find_if(kHouseUnits.begin(), kHouseUnits.end(),
@@ -73,18 +85,46 @@ Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std:
       const Json given = value;
       scale(value, house->per_house);
       check_unit(*find(tables, key), path.empty() ? name : path + "." + name, given, value);
+      if (const KeyUnit* const unit = units == UnitSystem::inch ? metric_unit(key) : nullptr) {
+        scale_to_inch(value, *unit);
+        key = key_in(UnitSystem::inch, key);
+      }
     }
     const std::string here = path.empty() ? key : path + "." + key;
     if (made.contains(key))
       raise(Error{here, "", "is given twice, once in the unit of the key and once in mm or rad"});
     const auto under = tables_under(tables, key);
-    if (value.is_object() && !under.empty()) value = with_keys(std::move(value), under, here);
+    if (value.is_object() && !under.empty())
+      value = with_keys(std::move(value), under, units, here);
     if (value.is_array() && !under.empty())
       for (Json& v : value)
-        if (v.is_object()) v = with_keys(std::move(v), under, here);
+        if (v.is_object()) v = with_keys(std::move(v), under, units, here);
     made[key] = std::move(value);
   }
   return made;
+}
+
+const Key* key_of_name(const KeyTable& table, const std::string& name) {
+  const Key* key = table.find(name);
+  for (auto house = kHouseUnits.begin(); !key && house != kHouseUnits.end(); ++house)
+    key = table.find(name + std::string(unit_suffix(house->unit)));
+  return key;
+}
+
+std::optional<Error> missing_unit(const Key& key, const std::string& name, double given,
+                                  double converted) {
+  const KeyRange& range = key.range;
+  if (!range.limited() || range.contains(converted) || !range.contains(given)) return std::nullopt;
+  const bool angle = key.key.ends_with("_deg") || key.key.ends_with("_arcsec");
+  // An angle slightly outside the range, such as π/2 for a helix angle, is probably in rad.
+  if (angle && std::abs(converted) <= 2.0 * std::max(std::abs(range.lo), std::abs(range.hi)))
+    return std::nullopt;
+  return refused(
+      name, given,
+      fmt::format(
+          "is outside the allowed range, because a value without a unit in its key is in {}; use "
+          "{} = {:g} for a value in the unit of that key",
+          angle ? "rad" : "mm", key.key, given));
 }
 
 std::string house_key(const Key& key) {
@@ -98,8 +138,50 @@ double units_per_house(const Key& key) {
   return house ? house->per_house : 1.0;
 }
 
+UnitSystem units_of(const Json& spec) {
+  const bool inch = spec.is_object() && spec.contains(kUnitsKey) && spec[kUnitsKey] == "inch";
+  return inch ? UnitSystem::inch : UnitSystem::mm;
+}
+
+Json spec_with_units(Json spec, UnitSystem units) {
+  if (units_of(spec) == units) return spec;
+  if (units == UnitSystem::mm) return in_mm(spec);
+  spec.erase(kUnitsKey);
+  return spec_in(units, spec);
+}
+
+Json gear_with_units(Json gear, UnitSystem units) {
+  Json whole = Json::object();
+  if (units_of(gear) == UnitSystem::inch) whole[kUnitsKey] = gear[kUnitsKey];
+  gear.erase(kUnitsKey);
+  whole["gear1"] = std::move(gear);
+  return spec_with_units(std::move(whole), units)["gear1"];
+}
+
+Json inherited(const Json& spec) {
+  if (units_of(spec) == UnitSystem::mm) return inherit(spec).tree;
+  Json tree = spec_with_units(inherit(in_mm(spec)).tree, UnitSystem::inch);
+  for (const char* gear : {"gear1", "gear2"}) {
+    const auto given = spec.find(gear);
+    if (given == spec.end() || !given->is_object() || !tree[gear].is_object()) continue;
+    for (const auto& [key, value] : given->items())  // the given numbers have no rounding errors
+      if (!value.is_string()) tree[gear][key] = value;
+  }
+  return tree;
+}
+
 Json spec_with_keys(Json tree) {
-  return tree.is_object() ? with_keys(std::move(tree), {&spec_keys()}) : tree;
+  if (!tree.is_object()) return tree;
+  for (const char* gear : {"gear1", "gear2"}) {
+    const auto table = tree.find(gear);
+    if (table == tree.end() || !table->is_object() || !table->contains(kUnitsKey)) continue;
+    const Json word = (*table)[kUnitsKey];
+    if (word != "mm" && word != "inch") continue;  // the reader of the spec rejects this key
+    if (!tree.contains(kUnitsKey)) tree[kUnitsKey] = word;
+    tree[gear] = gear_with_units(tree[gear], units_of(tree));
+  }
+  const UnitSystem units = units_of(tree);
+  return with_keys(std::move(tree), {&spec_keys()}, units);
 }
 
 std::pair<Json, std::filesystem::path> read_tree(const py::object& given) {
@@ -156,13 +238,17 @@ void raise(const Error& error, const Model& model) { raise(spelled(error, model.
 
 Json GearValue::spec() const {
   // This tree contains the values that gear 2 inherits from gear 1.
-  const Json tree = inherit(model->spec).tree;
+  const Json tree = inherited(model->spec);
   const std::string table = which == 1 ? "gear1" : "gear2";
   Json own = tree.contains(table) ? tree[table] : Json::object();
   const bool followed = model->spec.contains("gear2") && gear().straight_cutter();
   if (followed && !own.contains("profile_shift") && !own.contains("basic"))
     own["profile_shift"] = gear().spec.profile_shift;
-  return own;
+  if (units_of(model->spec) == UnitSystem::mm) return own;
+  Json in_inch = Json::object();
+  in_inch[kUnitsKey] = to_string(UnitSystem::inch);
+  in_inch.update(own);
+  return in_inch;
 }
 
 ValueRecord GearValue::record() const {

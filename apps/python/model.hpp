@@ -15,6 +15,7 @@
 #include "apps/python/values.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -42,15 +43,37 @@ ModelPtr with_two_gears(ModelPtr model);
 [[noreturn]] void raise(const Error& error, const Model& model);
 
 /// Converts names without a unit to keys. The value under such a name is in mm or rad, so
-/// helix_angle = 0.26 becomes helix_angle_deg = 14.9. An unknown name is unchanged, and the
-/// reader of the spec rejects it.
-Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
+/// helix_angle = 0.26 becomes helix_angle_deg = 14.9, and in a spec in inch, face_width = 25.4
+/// becomes face_width_in = 1. An unknown name is unchanged, and the reader of the spec rejects it.
+Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, UnitSystem units,
+               const std::string& path = "");
+/// The key of an object that names its units, and the table of a Gear in inch.
+inline constexpr const char* kUnitsKey = "units";
+/// Returns the units of a spec or of the table of a Gear, which are mm if the key is absent.
+UnitSystem units_of(const Json& spec);
+/// Returns a whole spec in these units.   Throws  SpecError
+Json spec_with_units(Json spec, UnitSystem units);
+/// Returns the table of a gear in these units, without the key `units`.   Throws  SpecError
+Json gear_with_units(Json gear, UnitSystem units);
+/// Returns the spec in which gear 2 has all its keys (spec/inherit.hpp).   Throws  SpecError
+Json inherited(const Json& spec);
+/// Returns the key with this name, which may lack the unit of the key, or null.
+const Key* key_of_name(const KeyTable& table, const std::string& name);
+/// Returns an error if the given number is within the range of the key and the converted number is
+/// not. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
+/// helix_angle_deg = 15. The converted number is then more than twice as great as the limits.
+/// `name` is the name of the key in the error.
+std::optional<Error> missing_unit(const Key& key, const std::string& name, double given,
+                                  double converted);
 /// Returns the name of the key without its unit, for example normal_module for the key
 /// normal_module_mm. The value under this name is in mm or rad. If there is no such name, returns
 /// the key itself.
 std::string house_key(const Key& key);
 /// Returns the number of units of the key in one mm or one rad.
 double units_per_house(const Key& key);
+/// Returns the spec with keys in place of names without a unit. If a gear has units of its own, its
+/// table is converted to the units of the spec; if the spec has none, they become those of the
+/// spec.
 Json spec_with_keys(Json tree);
 
 /// Returns the spec of a TOML or JSON file or of a dict, and the folder in which its relative file
@@ -80,7 +103,8 @@ struct GearValue {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }
   /// Returns the table of the gear in the spec, with the values that gear 2 inherits. If the gear
-  /// belongs to a pair, the table contains the computed profile shift.
+  /// belongs to a pair, the table contains the computed profile shift. A table in inch begins with
+  /// the key `units`.
   Json spec() const;
   /// Returns the quantities of the gear and of its halves, if it has any.
   ValueRecord record() const;
@@ -138,15 +162,41 @@ void bind_made(py::class_<Self>& type, const Make& make) {
       .def_property_readonly(
           "warnings",
           [](const Self& s) {
-            return by_name(Value(warning_quantities().each(s.model->job.warnings)));
+            return by_name(warning_quantities().table(),
+                           Value(warning_quantities().each(s.model->job.warnings)));
           },
           "The warnings: Records with code, message, gear");
+}
+
+/// Adds items by key, comparison and hash. Two values are equal if their specs are equal.
+template <class Self>
+void bind_value(py::class_<Self>& type) {
+  type.def("__getitem__",
+           [](const Self& s, const std::string& key) {
+             const py::dict all = by_key(s.record());
+             if (!all.contains(key)) throw py::key_error(key);
+             return py::object(all[py::str(key)]);
+           })
+      .def("__contains__",
+           [](const Self& s, const py::object& key) {
+             return py::dict(by_key(s.record())).contains(key);
+           })
+      .def("__iter__", [](const Self& s) { return py::iter(by_key(s.record())); })
+      .def("__eq__",
+           [](const Self& a, const py::object& b) {
+             return py::isinstance<Self>(b) &&
+                    json_text(a.spec()) == json_text(b.cast<const Self&>().spec());
+           })
+      .def("__hash__", [](const Self& s) { return py::hash(py::str(json_text(s.spec()))); });
 }
 
 template <class Self>
 void bind_verdict(py::class_<Self>& type) {
   type.def_property_readonly(
-      "verdict", [](const Self& s) { return by_name(Value(verdict_quantities().of(s.verdict()))); },
+      "verdict",
+      [](const Self& s) {
+        return by_name(verdict_quantities().table(), Value(verdict_quantities().of(s.verdict())));
+      },
       "The verdict: level, headline and findings, the worst one first");
 }
 

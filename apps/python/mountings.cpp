@@ -17,7 +17,7 @@ namespace {
 
 // Converts a row of numbers in mm and rad to a table [errors]. The numbers are in the order of
 // gearwright.ERRORS.
-Json errors_of_row(py::handle row) {
+Json errors_of_row(py::handle row, UnitSystem units) {
   const auto numbers = real_numbers(row);
   const py::ssize_t n = numbers ? numbers->size() : 0;
   if (!numbers || numbers->ndim() != 1 || (n != 6 && n != 8))
@@ -28,15 +28,17 @@ Json errors_of_row(py::handle row) {
   for (py::ssize_t i = 0; i < n; ++i) {
     const ErrorEntry& e = error_entries()[static_cast<std::size_t>(i)];
     const std::string key = fmt::format("errors[{}]", i);
-    errors[std::string(e.key)] = tree_of(py::float_(numbers->at(i) / e.si()), key);
+    const KeyUnit* const length = units == UnitSystem::inch ? metric_unit(e.key) : nullptr;
+    const double x = numbers->at(i) / e.si();
+    errors[key_in(units, e.key)] = tree_of(py::float_(length ? length->to_inch(x) : x), key);
   }
   return errors;
 }
 
-Json errors_tree(const py::object& errors) {
+Json errors_tree(const py::object& errors, UnitSystem units) {
   if (PyMapping_Check(errors.ptr()) && py::hasattr(errors, "keys"))
-    return with_keys(tree_of(errors, "errors"), {&error_keys()}, "errors");
-  return errors_of_row(errors);
+    return with_keys(tree_of(errors, "errors"), {&error_keys()}, units, "errors");
+  return errors_of_row(errors, units);
 }
 
 // Checks many rows of errors for a pair. Every number must be finite and within the range of its
@@ -103,7 +105,8 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const std::string& name, const py::kwargs& keys) {
   if (errors.is_none() && modifications.is_none() && keys.empty()) return pair.model;
   Json spec = pair.model->spec;
-  if (!errors.is_none()) spec["errors"] = errors_tree(errors);
+  const UnitSystem units = units_of(spec);
+  if (!errors.is_none()) spec["errors"] = errors_tree(errors, units);
   if (!modifications.is_none()) {
     const Json tree = tree_of(modifications, "modifications");
     for (const auto& [gear, given] : tree.items()) {
@@ -111,10 +114,10 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
         raise(Error{"modifications." + gear, "",
                     "must be gear1 or gear2, each with a dict of the modifications of this gear"});
       spec[gear]["modifications"] =
-          with_keys(given, {&modification_keys()}, gear + ".modifications");
+          with_keys(given, {&modification_keys()}, units, gear + ".modifications");
     }
   }
-  const Json look = with_keys(tree_of(keys, name), {&table}, name);
+  const Json look = with_keys(tree_of(keys, name), {&table}, units, name);
   for (const auto& [key, value] : look.items()) spec[name][key] = value;
   return make_model(std::move(spec), pair.model->folder, Scope::pair);
 }

@@ -185,8 +185,9 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
 
 void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairValue>& pair,
                    py::class_<ContactValue>& contact) {
-  py::class_<Figure>(m, "Figure", "A figure made by the engine, with the data of its curves")
-      .def_readonly("title", &Figure::title)
+  py::class_<Figure> type(m, "Figure", "A figure made by the engine, with the data of its curves");
+  need_value(type);
+  type.def_readonly("title", &Figure::title)
       .def_readonly("description", &Figure::description, "A description of the figure in words")
       .def_property_readonly(
           "data", [](const Figure& f) { return to_python(figure_data(f)); },

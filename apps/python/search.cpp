@@ -95,7 +95,7 @@ FoundPtr search(const py::object& given, const std::optional<long long>& top, in
 
 py::object design(const Found& found, py::ssize_t i) {
   const DesignView view{&found.search->problem(), &found.row(i)};
-  return by_name(Value(design_quantities().of(view)));
+  return by_name(design_quantities().table(), Value(design_quantities().of(view)));
 }
 
 // Returns a structured array with the columns of search.parquet and best.csv.
@@ -160,7 +160,8 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
   threads_in_range(threads);
   if (top && *top < 1) raise({"top", std::to_string(*top), "must be at least 1"});
   Json tree = found.spec.tree->tables;
-  const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
+  const Json changes =
+      with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, UnitSystem::mm, "scatter");
   for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
   const JobSpec spec = value_or_raise(read_spec_tree(tree, found.text.folder));
   StudyOptions options;

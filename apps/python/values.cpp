@@ -19,6 +19,7 @@ py::object type_of(const char* module, const char* name) {
 struct ToPython {
   bool by_name;       // true for an attribute, which has numbers in mm and rad, tuples and Records
   double unit = 1.0;  // for an attribute, the size of the unit of the numbers in mm or rad
+  const QuantityTable* table = nullptr;  // for an attribute, the table of a record, if it is known
 
   py::object operator()(std::monostate) const { return py::none(); }
   py::object operator()(bool flag) const { return py::bool_(flag); }
@@ -45,6 +46,10 @@ struct ToPython {
       if (by_name) attributes[py::str(name_of(*m.info))] = python::by_name(*m.info, m.value);
     }
     if (!by_name) return items;
+    if (table)
+      for (const QuantityInfo* info : table->list)  // an absent quantity is None
+        if (const py::str name(name_of(*info)); !attributes.contains(name))
+          attributes[name] = py::none();
     return type_of("gearwright._records", "Record")(attributes, items, keys);
   }
   py::object operator()(const ValueMap& map) const {
@@ -68,11 +73,16 @@ Json whole_of(py::handle value, const std::string& path) {
   return whole;
 }
 
+// Returns the letter of the kind of numpy, "f" for floating-point numbers.
+std::string kind_of(py::handle value) {
+  const py::object type = py::getattr(value, "dtype", py::none());
+  return py::str(py::getattr(type, "kind", py::none()));
+}
+
 // True for a time or an array of times. Such values must not be passed to numpy's tolist(),
 // which would convert times in ns to whole numbers.
 bool is_time(py::handle value) {
-  const py::object type = py::getattr(value, "dtype", py::none());
-  const std::string kind = py::str(py::getattr(type, "kind", py::none()));
+  const std::string kind = kind_of(value);
   return kind == "m" || kind == "M";
 }
 
@@ -139,11 +149,12 @@ py::object by_name(const QuantityInfo& info, const Value& value) {
   if (info.type == Type::number && any_length && value.list())
     return py::array(py::module_::import("numpy").attr("array")(
         std::visit(ToPython{false, house_unit(info.unit)}, value.variant()), "f8"));
-  return std::visit(ToPython{true, house_unit(info.unit)}, value.variant());
+  const QuantityTable* const table = info.of ? &info.of() : nullptr;
+  return std::visit(ToPython{true, house_unit(info.unit), table}, value.variant());
 }
 
-py::object by_name(const Value& without_unit) {
-  return std::visit(ToPython{true}, without_unit.variant());
+py::object by_name(const QuantityTable& table, const Value& records) {
+  return std::visit(ToPython{true, 1.0, &table}, records.variant());
 }
 
 namespace {
@@ -169,13 +180,19 @@ Json tree_of(py::handle value, const std::string& path) {
   if (PyFloat_Check(o)) return number_of(PyFloat_AS_DOUBLE(o), path);
   if (PyUnicode_Check(o)) return std::string(py::str(value));
   if (py::isinstance<GearValue>(value)) return value.cast<const GearValue&>().spec();
+  const bool bytes = PyBytes_Check(o) || PyByteArray_Check(o);
   const bool numpy = py::hasattr(value, "tolist");
-  if (numpy && !is_time(value)) return tree_of(value.attr("tolist")(), path);
+  if (numpy && !is_time(value)) {
+    const py::object plain = value.attr("tolist")();
+    if (!py::type::of(plain).is(py::type::of(value))) return tree_of(plain, path);
+    // A long double of numpy has no other form in Python.
+    if (kind_of(value) == "f") return number_of(py::float_(plain), path);
+  }
   if (PyDict_Check(o) || py::hasattr(value, "keys")) return mapping_of(value, path);
   if (py::hasattr(value, "__fspath__")) return std::string(py::str(value.attr("__fspath__")()));
   if (PyIndex_Check(o) && !numpy)
     return whole_of(py::reinterpret_steal<py::object>(PyNumber_Index(o)), path);
-  if (PySequence_Check(o) && !numpy) {
+  if (PySequence_Check(o) && !numpy && !bytes) {
     Json list = Json::array();
     for (const auto& item : value)
       list.push_back(tree_of(item, path + "[" + std::to_string(list.size()) + "]"));

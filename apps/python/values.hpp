@@ -50,7 +50,8 @@ py::object to_python(const Json& tree);
 /// Converts a value to an attribute. Numbers are in mm and rad. Lists of numbers whose length is
 /// not fixed become arrays, other lists become tuples, and records become Records.
 py::object by_name(const QuantityInfo& info, const Value& value);
-py::object by_name(const Value& without_unit);
+/// Converts a record of this table, or a list of such records. An absent quantity is None.
+py::object by_name(const QuantityTable& table, const Value& records);
 
 /// Converts a Python value to a tree of a spec. Dicts, lists, texts, paths, Gears, arrays of numpy,
 /// and numbers of Python or numpy are accepted. `path` is the name of the value in error messages.
@@ -80,6 +81,15 @@ T value_or_raise(Result<T> result) {
   return std::move(result).take();
 }
 
+/// Makes access to an object without a value an error. Type.__new__(Type) makes such an object,
+/// whose value pybind11 would otherwise allocate without a constructor at the first access.
+template <class Type>
+void need_value(Type&) {
+  py::detail::get_type_info(typeid(typename Type::type))->operator_new = [](std::size_t) -> void* {
+    throw py::type_error("the object was made by __new__ alone and has no value");
+  };
+}
+
 /// Defines copy, deepcopy and pickle for an immutable type. A copy is the value itself. Pickling
 /// calls `keep`, and unpickling calls `make_again`.
 template <class Type, class Keep, class MakeAgain>
@@ -87,6 +97,7 @@ void bind_copies(Type& type, const Keep& keep, const MakeAgain& make_again) {
   type.def("__copy__", [](const py::object& self) { return self; })
       .def("__deepcopy__", [](const py::object& self, const py::dict&) { return self; })
       .def(py::pickle(keep, make_again));
+  need_value(type);
 }
 
 }  // namespace gearwright::python

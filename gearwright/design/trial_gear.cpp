@@ -47,7 +47,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
   // The range of the search. Beyond x = |z|, all tips of external gears are pointed. For an
   // internal gear, the lower limit of x is arbitrary.
-  const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
+  const double far = farthest_shift(g.teeth);
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;
   const auto margin = [&](double x) { return tip_thickness(g, x, k) - g.min_tip_thickness; };
@@ -88,7 +88,7 @@ double thick_until_with(const TrialGear& g, double k) {
     return s;
   };
   const double lo = *g.thick_until - k;
-  const double hi = lo + std::abs(static_cast<double>(g.teeth)) + 5.0;
+  const double hi = lo + farthest_shift(g.teeth);
   return newton_in_bracket<double>(margin, lo, hi, lo, false).x;
 }
 

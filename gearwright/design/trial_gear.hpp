@@ -9,6 +9,7 @@
 //                                              theory: docs/theory/09-design-search.md, 9.1
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,10 @@ double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// Returns a lower bound of max_shift() without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
+
+/// Greatest |x| of an internal gear for which trial_gear() computes the tip thickness. If the tip is
+/// thick enough as far as this shift, x_min is this shift, which is not a limit of the gear.
+inline double farthest_shift(int teeth) { return std::abs(static_cast<double>(teeth)) + 5.0; }
 
 /// Stores the gears for all numbers of teeth with one helix angle and rack, because many trials use
 /// the same gears.

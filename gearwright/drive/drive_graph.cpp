@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
@@ -155,6 +157,15 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
     if (auto error = check_mesh(graph, mesh)) return error;
   for (std::size_t i = 0; i < graph.bodies.size(); ++i)
     if (auto error = check_side(graph, i)) return error;
+  if (graph.speeds_rpm.size() > graph.inputs.size()) {
+    std::vector<std::string> speeds;
+    for (const double rpm : graph.speeds_rpm) speeds.push_back(format_number(rpm));
+    return Error{
+        "drive.speed", fmt::format("[{}]", fmt::join(speeds, ", ")),
+        fmt::format(
+            "has {} speeds, but the drive has {}; give one speed for each input", speeds.size(),
+            graph.inputs.size() == 1 ? "1 input" : fmt::format("{} inputs", graph.inputs.size()))};
+  }
   if (graph.inputs.size() == 1 && graph.speeds_rpm.size() == 1 &&
       graph.torque_Nm.value_or(0.0) * graph.speeds_rpm.front() < 0.0)
     return Error{"drive.torque", format_number(*graph.torque_Nm),

@@ -131,8 +131,8 @@ Error of_drive_gear(const DriveGear& gear, Error error);
 ///           does not mesh with an external gear in the housing; `drive.gear` if a gear has no
 ///           teeth or a planet has a rack; those of of_drive_gear() if the halves of a
 ///           double-helical gear are staggered or its gap is impossible; `drive.body`, for example
-///           if a body is its own carrier; `drive.torque` if the torque and the speed of a single
-///           input have opposite signs
+///           if a body is its own carrier; `drive.speed` if there are more speeds than inputs;
+///           `drive.torque` if the torque and the speed of a single input have opposite signs
 std::optional<Error> check_graph(const DriveGraph& graph);
 
 /// A planet with all its meshes, or several planets of one carrier that mesh with each other, with

@@ -243,6 +243,16 @@ TEST(Drive, ASingleInputDrives) {
   }
 }
 
+// Regression: a second speed of a drive with one input removed all speeds from the results.
+TEST(Drive, EverySpeedHasAnInput) {
+  PlanetarySpec set = simple_set(24, 18, 60, 0.98, 0.99);
+  set.speeds_rpm = {1500, 20};
+  EXPECT_EQ(error_field(set), "drive.speed");
+  set.fixed = std::vector<std::string>{};
+  set.inputs = {"sun", "ring"};
+  EXPECT_EQ(error_field(set), "");
+}
+
 TEST(Drive, BadSetsNameWhatIsWrong) {
   PlanetarySpec set = simple_set(20, 25, 70, 0.98, 0.99);
   set.fixed = {{"ring", "sun"}};

@@ -14,7 +14,7 @@ struct PinionCutSpec {
   int teeth = 0;                          ///< z, negative for an internal gear
   double distance = 0.0;                  ///< E  mm
   double face_width = 0.0;                ///< b  mm
-  std::optional<double> tip_diameter;     ///< d_a  mm; by default determined by the cutter's root
+  std::optional<double> tip_diameter{};   ///< d_a  mm; by default determined by the cutter's root
   double thickness_allowance = 0.0;       ///< E_sn  mm
   std::optional<double> profile_shift{};  ///< x; set if E was computed from this x and the
                                           ///< allowance

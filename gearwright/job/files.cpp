@@ -104,7 +104,7 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
     if (body.pose.axis(2).z() == 1.0) continue;
     return Error{"pair.shaft_angle", "",
                  "gears on crossed axes have no common plane section; write a file for each gear, "
-                 "with --gear 1 and with --gear 2"};
+                 "on the command line with --gear 1 and with --gear 2"};
   }
   const auto style =
       options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;

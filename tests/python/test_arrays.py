@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from common import BIN, pair, pinion, wheel
+from common import BIN, SOURCE, pair, pinion, wheel
 
 ARCSEC = math.radians(1 / 3600)
 ERRORS = {"crossing_deg": 0.03, "center_distance": 0.02, "helix_slope1_um": 4}
@@ -128,6 +128,40 @@ def test_sweep_has_the_whole_message():
     assert list(rows["error"]) == [str(e.value), ""] and len(str(e.value)) > 80
     assert rows["center_distance_mm"][1] == 78.7 and math.isnan(rows["center_distance_mm"][0])
     assert pair().sweep(center_distance=[])["error"].shape == (0,)
+
+
+def plain(**more):
+    gears = [gw.Gear(teeth=z, normal_module=2.5, face_width=25) for z in (17, 43)]
+    return gw.Pair(*gears, **more)
+
+
+def test_sweep_and_replace_agree():
+    # Regression: backlash=[0.1] was an angle of 0.1 rad, because only keys without a list of numbers could be varied.
+    row = plain().sweep(backlash=[0.1])[0]
+    assert row["backlash_normal_mm"] == plain().replace(backlash=0.1).backlash.normal == pytest.approx(0.1)
+    basic = gw.load(SOURCE / "examples" / "basic_gear_pair.toml")
+    rated = gw.load(SOURCE / "examples" / "rated_pair.toml")
+    # Regression: the rules between several keys applied to replace() only.
+    for p, change in ((pair(), {"backlash_deg": 0.1}), (pair(), {"backlash": 0.1}), (basic, {"gear1": {"profile_shift": 0.123}}),
+                      (basic, {"gear1": {"teeth": 10}}), (rated, {"speed_rpm": 500}), (pair(), {"shaft_angle": 30}),
+                      (pair(), {"gear2": {"teeth": 43.5}}), (pair(), {"gear1": {"normal_module": -1}})):
+        with pytest.raises(gw.SpecError) as e:
+            p.replace(**change)
+        as_row = {k: {name: [x] for name, x in v.items()} if isinstance(v, dict) else [v] for k, v in change.items()}
+        row = p.sweep(**as_row)[0]
+        assert row["error"] == str(e.value) and math.isnan(row["center_distance_mm"]), change
+    shifts = [-0.2, 0.1, 0.4]
+    rows = pair().sweep(gear1={"profile_shift": shifts}, center_distance=[78.4, 78.6, 78.9])
+    for row, x, a in zip(rows, shifts, rows["center_distance_mm"], strict=True):
+        alone = pair().replace(gear1={"profile_shift": x}, center_distance=a)
+        assert not row["error"] and row["backlash_normal_mm"] == alone.backlash.normal
+
+
+def test_sweep_needs_two_gears():
+    rack = gw.load({"gear1": {"teeth": 20, "normal_module": 2, "face_width": 20}, "gear2": {"form": "rack"}})
+    with pytest.raises(gw.SpecError) as e:
+        rack.sweep(center_distance=[20.0])
+    assert e.value.key.startswith("gear2")
 
 
 def test_a_forgotten_unit_is_named():
@@ -302,6 +336,46 @@ def test_closed_forms_out_of_their_domain():
     assert gw.Gear(teeth=10, normal_module=1, profile_shift=least[0] - 1e-3).undercut is True
     with pytest.raises(ValueError, match="could not be broadcast|shape mismatch"):
         gw.center_distance([1, 2], [1, 2, 3])
+    # Regression: these rows were numbers, such as a centre distance of -60 mm for a module of -2 mm.
+    table = gw.pair_table([17, 17, 17, -17, -43, 43, 17], [43, 43, 43, -43, 17, -17, -43],
+                          normal_module=[-2, 0, math.inf, 1, 1, 1, 1])
+    for name, column in table.items():
+        assert np.isnan(column[:-1]).all() and not math.isnan(column[-1]), name
+    assert gw.center_distance(17, -43) == pytest.approx(13) and math.isnan(gw.contact_ratio(17, 43, normal_module=0))
+
+
+def test_shift_limits():
+    # Regression: the least shift of an internal gear was the end of the searched shifts, -65 for 60 teeth.
+    least, greatest = gw.shift_limits([-60, -20])
+    assert np.isneginf(least).all()
+    ring = gw.Gear(teeth=-60, normal_module=1, profile_shift=greatest[0] - 1e-9)
+    assert ring.tip_diameter == pytest.approx(ring.base_diameter, abs=1e-7)
+    thick = gw.shift_limits(-60, tip_thickness=0.9)
+    assert -5 < thick[0] < thick[1] == greatest[0]
+    ring = gw.Gear(teeth=-60, normal_module=1, profile_shift=thick[0])
+    assert ring.tip_tooth_thickness_normal == pytest.approx(0.9, abs=1e-9)
+    pinion = gw.Gear(teeth=17, normal_module=1, profile_shift=gw.shift_limits(17)[1])
+    assert pinion.tip_tooth_thickness_normal == pytest.approx(0.2, abs=1e-9)
+    for z in (17, -60):
+        for name in ("tip_thickness", "addendum", "flank_depth"):
+            assert np.isnan(gw.shift_limits(z, **{name: math.nan})).all(), (z, name)
+
+
+def test_arguments_of_closed_forms_are_named():
+    row = np.array([1.0, 1.2])
+    for call, name in ((lambda: gw.pair_table(17, 43, addendum=row), "addendum"),
+                       (lambda: gw.pair_table(17, 43, flank_depth=[1, 2]), "flank_depth"),
+                       (lambda: gw.pair_table(17, 43, normal_pressure_angle=row), "normal_pressure_angle"),
+                       (lambda: gw.pair_table(17, 43, columns="contact_ratio"), "columns"),
+                       (lambda: gw.backlash(17, 43, 0, 0, 31, normal_module=row), "normal_module"),
+                       (lambda: gw.shift_limits(17, tip_thickness=row), "tip_thickness"),
+                       (lambda: gw.center_distance(17, 43, module=2), r"center_distance\(\).*'module'.*normal_module"),
+                       (lambda: gw.contact_ratio(17, 43, columns=("sliding",)), r"contact_ratio\(\).*'columns'")):
+        with pytest.raises(TypeError, match="^" + name):
+            call()
+    with pytest.raises(ValueError, match="'foo'.*contact_ratio_true"):
+        gw.pair_table(17, 43, columns=("foo",))
+    assert gw.pair_table(17, 43, addendum=np.array(1.0), columns=["sliding"]).keys() == {"sliding"}
 
 
 @pytest.mark.parametrize("angle", [5.0, -1.0, 0.0, math.pi / 2, math.nan, math.inf, 1e308])

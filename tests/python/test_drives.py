@@ -39,6 +39,34 @@ def test_values_do_not_change():
     assert drive == pickle.loads(pickle.dumps(drive)) == copy.deepcopy(drive) == gw.planetary(**KEYS)
 
 
+def test_a_drive_is_immutable_and_hashable():
+    drive = gw.planetary(**KEYS)
+    for change in (lambda: setattr(drive, "ratio", 99), lambda: setattr(drive, "foo", 3), lambda: delattr(drive, "_spec")):
+        with pytest.raises(AttributeError, match="replace"):
+            change()
+    assert {drive: 1}[gw.planetary(**KEYS)] == 1 and copy.copy(drive) is drive
+    assert gw.solve(drive, "drive")["drive"] == drive.as_dict()
+
+
+def test_names_have_no_unit():
+    rated = gw.planetary(**KEYS).rate(material={"name": "17CrNiMo6"}, quality=[6, 6], face_load_factor=1.2)["sun_planet"]
+    assert rated.sigma_H == rated.sigma_H_MPa == rated["sigma_H_MPa"] and rated.F_t == rated.F_t_N
+    assert gw.planetary(**KEYS).bodies["sun"].speed == 1500
+
+
+def test_a_drive_of_an_inch_spec_is_in_mm():
+    # Regression: keys ended in _in, and the attributes in mm did not exist.
+    inches = gw.Drive({"units": "inch", "planetary": {**{k: v for k, v in KEYS.items() if k != "thickness_allowance"},
+                                                      "thickness_allowance_in": -0.002, "face_width_in": 1}})
+    metric = gw.planetary(**{**KEYS, "thickness_allowance": -0.0508, "face_width": 25.4})
+    pair = inches.meshes["sun_planet"].pair
+    assert pair.center_distance == pair["center_distance_mm"] == metric.meshes["sun_planet"].pair.center_distance == 45
+    assert inches.as_dict().keys() == metric.as_dict().keys() and inches.spec["units"] == "inch"
+    with pytest.raises(gw.SpecError) as e:
+        inches.replace(face_width_in=-1)
+    assert e.value.key == "planetary.face_width_in"
+
+
 def test_trains_and_ratings():
     train = gw.train({"teeth": [19, 58], "mesh_efficiency": 0.985}, {"teeth": [17, 67], "mesh_efficiency": 0.984})
     assert train["ratio_exact"] == [58 * 67, 19 * 17]
@@ -49,6 +77,15 @@ def test_trains_and_ratings():
     with pytest.raises(gw.SpecError) as error:
         gw.planetary(sun=20, planet=25, ring=70, fixed="rign")
     assert error.value.key == "planetary.fixed"
+
+
+def test_every_speed_has_an_input():
+    # Regression: with a second speed, the bodies of a set with one input had no speeds.
+    for drive, key in ((lambda: gw.planetary(**{**KEYS, "speed_rpm": [1500, 20]}), "planetary.speed_rpm"),
+                       (lambda: gw.train({"teeth": [19, 58], "speed_rpm": [1500, 20]}), "stage.speed_rpm")):
+        with pytest.raises(gw.SpecError, match="has 2 speeds, but the drive has 1 input") as e:
+            drive()
+        assert e.value.key == key and e.value.value == "[1500, 20]"
 
 
 def test_spec_files_keep_their_folder(tmp_path):

@@ -45,6 +45,15 @@ def test_mypy(tmp_path):
         wheel = pinion.replace(teeth=43, helix_angle_deg=-15)
         pair = gw.Pair(pinion, wheel, center_distance=79)
         distance: float = pair.center_distance
+        ratio: float | None = pair.gear_ratio  # None for a rack
+        pair = gw.Pair(pinion, wheel, scatter={"samples": 8}, units="mm").replace(scatter={"samples": 9})
+        pair = pair.replace(units="inch").replace(center_distance_in=3.1)
+        known: bool = "tip_diameter_mm" in pinion and "peak_to_peak_arcsec" in pair.contact()
+        keys: list[str] = list(pinion)
+        shown: str = pair.figures[0]._repr_html_()
+        gw.identify("gear.toml")
+        gw.measure("pair.toml")
+        gw.solve(gw.load_drive({"planetary": {"sun": 20}}), "drive")
         try:
             loaded: gw.Gear | gw.Pair = gw.load("pair.toml")
         except gw.SpecError as e:

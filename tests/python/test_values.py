@@ -182,6 +182,82 @@ def test_every_quantity_is_an_attribute():
                 assert attribute == keyed[said["key"]]
 
 
+def test_an_absent_quantity_is_none():
+    # Regression: records lacked the quantities that do not apply, although the stubs give `| None`.
+    tables = gw._core._catalogue()
+    rack = gw.load({"gear1": {"teeth": 20, "normal_module": 2, "face_width": 20}, "gear2": {"form": "rack"}})
+    for record, table in ((pair().backlash, "pair.backlash"), (rack.backlash, "rack_pair.backlash"), (rack.rack, "rack"),
+                          (pair().verdict, "verdict"), (pair().contact(positions=8), "contact")):
+        names = [entry["name"] for entry in tables[table]]
+        assert all(hasattr(record, name) for name in names), [n for n in names if not hasattr(record, n)]
+    with pytest.raises(gw.SpecError, match="rack"):
+        rack.animate()
+
+
+def test_items_by_key():
+    for value in (pinion(), pair(), pair().contact(positions=8)):
+        assert list(value) == list(value.as_dict()) and all(key in value for key in value) and "nothing" not in value
+        first = next(iter(value))
+        assert value[first] == value.as_dict()[first]
+
+
+def test_answers_compare():
+    p = pair()
+    steels = p.replace(gear1={"material": {"name": "18CrNiMo7-6"}}, gear2={"material": {"name": "18CrNiMo7-6"}})
+    rate = dict(torque_Nm=150, speed_rpm=1480, quality=6, face_load_factor=1.2)
+    load = dict(torque_Nm=[50], positions=4, slices=8, accuracy="draft")
+    for make, other in ((lambda: p.contact(positions=8), p.contact(positions=16)),
+                        (lambda: steels.rate(**rate), steels.rate(**{**rate, "torque_Nm": 100})),
+                        (lambda: p.loaded(**load), p.loaded(**{**load, "torque_Nm": [60]}))):
+        assert make() == make() != other and hash(make()) == hash(make()) and make() != p
+
+
+def test_an_object_without_a_value():
+    # Regression: the attributes of such an object read memory that no constructor had set.
+    for type_, use in ((gw.Contact, lambda o: o.positions), (gw.Search, repr), (gw.Gear, lambda o: o.teeth),
+                       (gw.Pair, repr), (type(pinion().figures[0]), lambda o: o.title)):
+        with pytest.raises(TypeError):
+            use(type_.__new__(type_))
+
+
+def test_numbers_of_other_types():
+    # Regression: a long double raised RecursionError, and bytes were a list of numbers.
+    assert pinion(thickness_allowance=np.longdouble("-0.05")) == pinion()
+    assert gw.Gear(teeth=17, normal_module=2, thickness_allowance=np.array([-0.1, -0.05], np.longdouble)).spec[
+        "thickness_allowance_mm"] == [-0.1, -0.05]
+    for wrong in (b"\0\1", bytearray(b"\0\1"), np.clongdouble(1)):
+        with pytest.raises(TypeError, match="cannot contain"):
+            pinion(thickness_allowance=wrong)
+
+
+def test_a_right_angle_is_no_forgotten_unit():
+    with pytest.raises(gw.SpecError, match="89") as e:
+        pinion(helix_angle_deg=None, helix_angle=math.pi / 2)
+    assert "1.5708" not in str(e.value)
+
+
+def test_a_drawing_has_one_format(tmp_path):
+    assert pinion().drawing(format="svg").startswith(b"<") and pinion().drawing().startswith(b"%PDF")
+    assert pinion().drawing(tmp_path / "g.pdf", format="pdf").exists()
+    with pytest.raises(gw.SpecError, match="contradicts") as e:
+        pinion().drawing(tmp_path / "h.pdf", format="svg")
+    assert e.value.key == "format" and not (tmp_path / "h.pdf").exists()
+
+
+def test_measure_and_verify(tmp_path):
+    # Regression: the dimensions of gear 2 were dropped for a spec.
+    path = tmp_path / "pair.json"
+    path.write_text(json.dumps(pair().spec))
+    assert gw.measure(pair().spec) == gw.measure(path) == gw.measure(pair()) and len(gw.measure(pair())) == 2
+    assert gw.measure(pinion()) == gw.measure({"gear1": pinion().spec})
+    with pytest.raises(gw.FileError, match="none.json"):
+        gw.verify(tmp_path / "none.json")
+    for call, needs in ((gw.search, "search"), (gw.identify, "measured"), (gw.Drive, "planetary")):
+        with pytest.raises(gw.SpecError, match=needs) as e:
+            call({})
+        assert e.value.key == "spec"
+
+
 def test_records():
     backlash = pair().backlash
     assert "normal" in dir(backlash) and backlash["normal_mm"] == backlash.normal

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from . import _core
-from ._core import Gear, Pair, Search
+from ._core import FileError, Gear, Pair, Search
+from ._errors import SpecError
 
 Progress = Callable[[str, int, int], object]
 
@@ -36,6 +37,13 @@ class _Line:
             sys.stderr.write("\n")
 
 
+def _not_empty(spec: Any, verb: str, needs: str) -> None:
+    """Raises SpecError for an empty dict, because the error of an empty spec describes a gear."""
+    if isinstance(spec, Mapping) and not spec:
+        why = f"is empty; {verb} needs {needs}"
+        raise SpecError("spec", "{}", why, f"spec = {{}}: {why}", "missing")
+
+
 def search(
     spec: str | os.PathLike[str] | Mapping[str, Any],
     *,
@@ -54,6 +62,7 @@ def search(
     out       folder for the program's files; with resume=True, a stopped search continues
     Ctrl-C ends the search within a tenth of a second.
     """
+    _not_empty(spec, "search", "the table [search]")
     line = _Line()
     report: Progress | None = progress if callable(progress) else line if progress else None
     try:
@@ -62,24 +71,29 @@ def search(
         line.end()
 
 
-def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
-    """Finds the standard gears that agree with the readings of a gear. The spec has the readings in [gear1.measured].
-    Returns the answer of the program as a dict."""
+def identify(spec: str | os.PathLike[str] | Mapping[str, Any]) -> dict[str, Any]:
+    """Finds the standard gears that agree with the readings of a gear. The spec, a dict or the path of a file, has the
+    readings in [gear1.measured]. Returns the answer of the program as a dict."""
+    _not_empty(spec, "identify", "the readings of a gear in [gear1.measured]")
     return _core.solve(spec, "identify")
 
 
-def measure(value: Gear | Pair) -> Any:
-    """Returns the inspection dimensions of a gear by key. For a Pair, returns a list with the
-    dimensions of both gears."""
+def measure(value: str | os.PathLike[str] | Mapping[str, Any] | Gear | Pair) -> Any:
+    """Returns the inspection dimensions of a gear by key. For a Pair, or for a spec with two gears, returns a list with
+    the dimensions of both gears."""
     gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]
-    return gears if isinstance(value, Pair) else gears[0]
+    return gears if isinstance(value, Pair) or len(gears) > 1 else gears[0]
 
 
 def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, Any]]:
     """Compares published numbers with the engine. `cases` is the path of a case file of `gearwright verify`, or its
     content. Returns for each case its id, the number of compared values and a line for each difference."""
     if isinstance(cases, (str, bytes, os.PathLike)):
-        with open(cases, encoding="utf-8") as file:
+        try:
+            file = open(cases, encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"cannot read {os.fsdecode(cases)}: {error.strerror}") from error
+        with file:
             return _core._verify(json.load(file))
     # open() would accept a number as the descriptor of an open file
     if not isinstance(cases, Mapping):

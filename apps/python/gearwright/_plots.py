@@ -56,6 +56,10 @@ def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: floa
     .to_jshtml() shows the animation in a notebook."""
     from matplotlib.animation import FuncAnimation
 
+    ratio = pair.gear_ratio
+    if ratio is None:
+        why = "makes gear 2 a rack, but the animation needs two gears that rotate"
+        raise SpecError("gear2.form", '"rack"', why, f'gear2.form = "rack": {why}')
     if pair.shaft_angle != 0:
         why = "the picture shows a plane section, and gears on crossed axes have no common plane section"
         raise SpecError("pair.shaft_angle_deg", "", why, "pair.shaft_angle_deg: " + why)
@@ -65,7 +69,7 @@ def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: floa
 
     def draw(frame: int) -> Any:
         turn = -pitch * frame / frames  # gear 1 turns clockwise
-        for which, angle in ((1, turn), (2, -turn / pair.gear_ratio)):
+        for which, angle in ((1, turn), (2, -turn / ratio)):
             lines[which - 1].set_data(*_placed(pair, which, points, angle).T)
         return lines
 

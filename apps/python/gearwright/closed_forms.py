@@ -17,6 +17,10 @@ from . import _core
 
 Array = NDArray[np.float64]
 _ALPHA = math.radians(20)
+_COLUMNS = ("center_distance", "working_pressure_angle", "contact_ratio", "contact_ratio_true", "sliding", "tip_thickness1",
+            "tip_thickness2", "tip_clearance1", "tip_clearance2")
+# The keywords of center_distance(), working_pressure_angle() and contact_ratio().
+_KEYWORDS = ("normal_module", "normal_pressure_angle", "addendum", "dedendum", "flank_depth", "mounting", "shorten_tips")
 
 
 def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
@@ -39,10 +43,27 @@ def _sine_of_helix(angle: ArrayLike) -> Array:
     return sine
 
 
+def _number(name: str, value: float) -> float:
+    """Returns the value of an argument that is the same for all rows."""
+    if np.ndim(value) != 0:
+        raise TypeError(f"{name}: must be one number for all rows, not {value!r}")
+    return float(_core._real(value))
+
+
 def _pressure_angle(angle: float) -> float:
-    if not 0 < angle < math.pi / 2:
+    alpha = _number("normal_pressure_angle", angle)
+    if not 0 < alpha < math.pi / 2:
         raise ValueError(f"normal_pressure_angle = {angle!r}: must lie between 0 and π/2 rad")
-    return angle
+    return alpha
+
+
+def _names(columns: tuple[str, ...] | None) -> tuple[str, ...]:
+    if isinstance(columns, str):
+        raise TypeError(f'columns: must be a tuple of names, ("{columns}",)')
+    for name in columns or ():
+        if name not in _COLUMNS:
+            raise ValueError(f"columns: there is no column {name!r}; the columns are {', '.join(_COLUMNS)}")
+    return tuple(columns or _COLUMNS)
 
 
 def _shaped(column: Array, shape: tuple[int, ...]) -> Any:
@@ -85,8 +106,9 @@ def pair_table(
     sliding                 greatest |ζ| of both flanks at the ends of the path; inf at a base tangent point
     tip_thickness1, 2       s_an    tip_clearance1, 2   c
 
-    addendum, dedendum and flank_depth (depth of the rack's straight flank) are in modules. If a formula does not
-    apply to a row, or a number of teeth is 0 or not whole, the row is NaN.
+    addendum, dedendum and flank_depth (depth of the rack's straight flank) are in modules. Gear 2 may be internal, with
+    more teeth than gear 1. If a formula does not apply to a row, if a number of teeth is 0 or not whole, or if the
+    module is not positive, the row is NaN.
 
     The search uses the same formulas. For gears of the same rack, they agree with a Pair to 1e-12, with one exception:
     contact_ratio_true neglects undercut, so for an undercut gear it is too large, and the result of the Pair is valid.
@@ -94,10 +116,13 @@ def pair_table(
     """
     if mounting not in ("tight", "extended"):
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
-    names = columns or ("center_distance", "working_pressure_angle", "contact_ratio", "contact_ratio_true", "sliding",
-                        "tip_thickness1", "tip_thickness2", "tip_clearance1", "tip_clearance2")
+    names = _names(columns)
+    addendum, dedendum = _number("addendum", addendum), _number("dedendum", dedendum)
+    flank_depth = _number("flank_depth", flank_depth)
     lanes, rows, shape = _columns(_teeth(z1), _teeth(z2), _sine_of_helix(helix_angle), x1, x2, normal_module)
     module = lanes.pop()
+    meshes = (lanes[0] > 0) & ((lanes[1] > 0) | (lanes[0] + lanes[1] < 0)) & (module > 0) & (module < math.inf)
+    lanes[0] = np.where(meshes, lanes[0], np.nan)
     found = _core._candidates(lanes, rows, math.tan(_pressure_angle(normal_pressure_angle)), (addendum, addendum),
                               (dedendum, dedendum), flank_depth, mounting == "tight", shorten_tips, names)
     table = {}
@@ -110,23 +135,31 @@ def pair_table(
     return table
 
 
+def _column(name: str, z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, helix_angle: ArrayLike,
+            more: dict[str, Any]) -> Any:
+    for key in more:
+        if key not in _KEYWORDS:
+            raise TypeError(f"{name}() has no keyword {key!r}; the keywords are {', '.join(_KEYWORDS)}")
+    return pair_table(z1, z2, x1, x2, helix_angle, columns=(name,), **more)[name]
+
+
 def center_distance(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                     helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
     """Returns the centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2) (mounting="extended").
     Keywords are those of pair_table."""
-    return pair_table(z1, z2, x1, x2, helix_angle, columns=("center_distance",), **more)["center_distance"]
+    return _column("center_distance", z1, z2, x1, x2, helix_angle, more)
 
 
 def working_pressure_angle(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                            helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
     """Returns the transverse working pressure angle α_wt. Keywords are those of pair_table."""
-    return pair_table(z1, z2, x1, x2, helix_angle, columns=("working_pressure_angle",), **more)["working_pressure_angle"]
+    return _column("working_pressure_angle", z1, z2, x1, x2, helix_angle, more)
 
 
 def contact_ratio(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                   helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
     """Returns the transverse contact ratio ε_α. Keywords are those of pair_table."""
-    return pair_table(z1, z2, x1, x2, helix_angle, columns=("contact_ratio",), **more)["contact_ratio"]
+    return _column("contact_ratio", z1, z2, x1, x2, helix_angle, more)
 
 
 def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_distance: ArrayLike,
@@ -137,16 +170,24 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
     columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
                                     thickness_allowance2, center_distance)
     tan_alpha = math.tan(_pressure_angle(normal_pressure_angle))
-    return _shaped(_core._backlash(columns, rows, normal_module, tan_alpha), shape)
+    module = _number("normal_module", normal_module)
+    return _shaped(_core._backlash(columns, rows, module, tan_alpha), shape)
 
 
 def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
                  normal_pressure_angle: float = _ALPHA, addendum: float = 1.0,
                  flank_depth: float = 1.0) -> tuple[Any, Any]:
-    """Returns the least profile shift without undercut, and the greatest profile shift, at which the tip thickness is
-    tip_thickness modules. An internal gear has no undercut, so its least shift is -inf. A limit that does not exist is
-    NaN."""
+    """Returns the least and the greatest profile shift. Between them, the tip is at least tip_thickness modules thick
+    and not inside the base circle, and an external gear is not undercut.
+
+    external gear  The least shift is usually the limit of undercut. At the greatest shift, the tip thickness is
+                   tip_thickness.
+    internal gear  It has no undercut, so its least shift is -inf, unless tips are too thin at smaller shifts. At the
+                   greatest shift, the tip circle is the base circle, d_a = d_b.
+
+    A limit that does not exist is NaN. If an argument is NaN, both limits are NaN."""
     columns, rows, shape = _columns(z, helix_angle)
     alpha = _pressure_angle(normal_pressure_angle)
-    least, greatest = _core._shift_limits(columns, rows, alpha, addendum, flank_depth, tip_thickness)
+    least, greatest = _core._shift_limits(columns, rows, alpha, _number("addendum", addendum),
+                                          _number("flank_depth", flank_depth), _number("tip_thickness", tip_thickness))
     return _shaped(least, shape), _shaped(greatest, shape)
