@@ -141,7 +141,8 @@ void CommandLine::add_answering() {
   add_study_options(app_.get_subcommand("scatter"), study_);
   CLI::App* search = app_.get_subcommand("search");
   add_search_options(search, search_);
-  work_[search] = [this, &o] {  // a search may have a folder, which only programs know
+  // The verb of the table searches in memory. The program can also search in a folder.
+  work_[search] = [this, &o] {
     search_.spec = o.spec;
     search_.json = o.json;
     search_.take = o.take;
@@ -209,8 +210,10 @@ void CommandLine::add_files() {
   files->add_option("--rexs", o.rexs,
                     "REXS 1.7 file (exchange format for gear units) of a pair or a drive: .rexs, "
                     ".rexsj for JSON, or .rexsz for a ZIP archive");
-  files->add_option("--sheet", o.sheet, "Sheet of the workshop drawing, A4 or A3 (default: A3 if the scale on A4 would be "
-                    "smaller than 1:2)")
+  files
+      ->add_option("--sheet", o.sheet,
+                   "Sheet of the workshop drawing, A4 or A3 (default: A4, or A3 if the scale on A4 "
+                   "would be smaller than 1:2)")
       ->check(CLI::IsMember({"A4", "A3"}));
   files
       ->add_option("--step-schema", o.step_schema,

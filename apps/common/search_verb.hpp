@@ -63,7 +63,8 @@ inline constexpr int kMostTaken = 1'000'000;  ///< greatest number that --take a
 /// Adds the options for the folder, the size and the threads of a search.
 void add_search_options(CLI::App* sub, SearchCommand& command);
 
-/// Adds a verb to a program that supports it only in a folder, with its options --json and SPEC.
+/// Adds a verb of a program that supports this verb only in a folder, with the option --json and
+/// the argument SPEC.
 CLI::App* add_campaign(CLI::App& app, const char* name, const char* what, CampaignCommand& command);
 
 /// Returns the exit status.   Throws  IoError

@@ -59,6 +59,16 @@ void collect_warnings(Arranged& arranged) {
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 
+// Sets each profile shift that is not given to 0. A shift that follows from the pair is computed
+// later.
+void clear_absent_shifts(GivenPair& given) {
+  for (const int which : {1, 2}) {
+    if (!given.has(which)) continue;
+    GearInput& gear = given.gear(which);
+    if (!gear.shift_given) gear.cylindrical.profile_shift = 0.0;
+  }
+}
+
 // Sets the profile shifts and face widths of the gears from the input. Returns true if, for at
 // least one gear, a clearance to the root of the mating gear determines the tip.
 Result<bool> begin_gears(GivenPair& given) {
@@ -66,7 +76,6 @@ Result<bool> begin_gears(GivenPair& given) {
   for (const int which : {1, 2}) {
     if (!given.has(which)) continue;
     GearInput& gear = given.gear(which);
-    if (!gear.shift_given) gear.cylindrical.profile_shift = 0.0;
     if (!gear.cut_by) gear.complete_face_width();
     clear_tips = clear_tips || gear.tip_clearance || gear.tip_clearance_by_rule;
     if (auto error = check_limits(gear.cylindrical)) return of_given_gear(*error, given, which);
@@ -143,6 +152,7 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
   if (arcs) {
     if (auto error = check_arcs(given)) return *error;
   }
+  clear_absent_shifts(given);
   MadeGears made;
   if (auto error = make_cut_gears(given, made)) return *error;
   const auto clear_tips = begin_gears(given);

@@ -67,6 +67,13 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
+// Returns the spec of a gear's own cutter. A profile shift that is not given is 0.
+CylindricalSpec own_cutter(const CutByInput& cut) {
+  CylindricalSpec spec = cut.cutter->cylindrical;
+  spec.profile_shift = cut.cutter->given_shift().value_or(0.0);
+  return spec;
+}
+
 // Returns the default profile shift of a gear that has its own cutter. The default applies if
 // neither the profile shift of the gear nor `profile_shift_pair` (e) is given. With the default
 // shift, the gear meshes with its mating gear without backlash at the given centre distance.
@@ -188,10 +195,8 @@ void warn_of_pointed_cutter(Gear& made, const Gear& cutter) {
 // can cut the gear in `wanted`. Returns none if none of the next kTries numbers is possible.
 std::optional<int> greatest_cutter(const GivenPair& given, int which, PinionCutSpec wanted) {
   constexpr int kTries = 64;
-  const GearInput& input = *given.gear(which).cut_by->cutter;
-  if (input.cylindrical.tip_diameter) return std::nullopt;  // it belongs to the number of teeth
-  CylindricalSpec c = input.cylindrical;
-  c.profile_shift = input.profile_shift.value_or(0.0);
+  CylindricalSpec c = own_cutter(*given.gear(which).cut_by);
+  if (c.tip_diameter) return std::nullopt;  // it belongs to the number of teeth
   const int given_teeth = c.teeth;
   for (c.teeth = given_teeth - 1; c.teeth > std::max(0, given_teeth - kTries); --c.teeth) {
     const auto cutter = make_gear(c);
@@ -210,7 +215,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   CutByInput& cut = *gear.cut_by;
   std::optional<Gear> own;
   if (cut.gear == 0) {
-    auto cutter = make_gear(cut.cutter->cylindrical);
+    auto cutter = make_gear(own_cutter(cut));
     if (!cutter) return of_given_gear(within("cut_by", cutter.error()), given, which);
     own = std::move(cutter).take();
   }

@@ -66,8 +66,9 @@ Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 /// design.
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
-/// Returns the worst finding of this verdict, with the tolerance ends at which it occurs and
-/// without a remedy. Returns none if the design runs, or if its drawing cannot be rated.
+/// Returns the worst finding that judge_drawing() does not omit, with the tolerance ends at which
+/// it occurs and without a remedy. Returns none if the design runs, or if its drawing cannot be
+/// rated.
 ///
 /// Errors    those of arrange()
 Result<std::optional<Finding>> finding_of_drawing(const SearchProblem& problem,

@@ -33,6 +33,10 @@ double rounded_up(double x, int decimals) {
 
 double rounded_down(double x, int decimals) { return -rounded_up(-x, decimals); }
 
+double without_rounding_error(double x) {
+  return std::strtod(fmt::format("{:.15g}", x).c_str(), nullptr);
+}
+
 std::string with_digits(double x, int digits) {
   const std::string text = fmt::format("{:.{}g}", x, digits);
   return std::strtod(text.c_str(), nullptr) == x ? fmt::format("{}", x) : text;

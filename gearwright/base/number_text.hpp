@@ -24,6 +24,10 @@ double rounded_down(double x, int decimals);
 
 inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a sentence
 
+/// The number rounded to 15 significant digits, which removes the rounding error of a quotient:
+/// 25.4/(25.4/3) becomes 3.
+double without_rounding_error(double x);
+
 /// The number with at most this many significant digits and no trailing zeros: 0.1, not 0.100000.
 std::string with_digits(double x, int digits);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
 #include "gearwright/design/design_objectives.hpp"
@@ -72,7 +73,7 @@ void add_numbers(Quantities<DesignView>& q) {
       .digits(3)
       .shown([](const DesignView& v) { return !v.problem->by_pitch; });
   q.term("normal_diametral_pitch_per_in", "25.4 mm/m_n; only with `diametral_pitches_per_in`",
-         [](const DesignView& v) { return kMmPerInch / v.row->trial.module; })
+         [](const DesignView& v) { return without_rounding_error(kMmPerInch / v.row->trial.module); })
       .digits(3)
       .when(by_pitch);
   q.term("teeth", "[z1, z2]; negative for an internal gear",

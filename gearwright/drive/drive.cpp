@@ -49,10 +49,11 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Returns the speeds of all bodies for the torque 1 on the first input. A single input has the speed
-// 1. Several inputs have the speeds that the user gives, all with the opposite sign if the torque on
-// the first input is negative, because friction depends on the direction of the power. Without a
-// given torque, the first input delivers power. Returns none if the speeds are missing.
+// Returns the speeds of all bodies for the torque 1 on the first input. A single input has the
+// speed 1. Several inputs have the speeds that the user gives. If the torque on the first input is
+// negative, all speeds have the opposite sign, because friction depends on the direction of the
+// power. Without a given torque, the first input delivers power. Returns none if the speeds of
+// several inputs are not given.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
   std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;

@@ -200,8 +200,8 @@ TEST(Drive, AnInputThatAbsorbsPowerIsReported) {
 }
 
 // If all speeds and torques are reversed, the directions of all powers remain. The power that flows
-// in is greater than the power that flows out in each of the four cases. Without a torque, the first
-// input delivers power.
+// in is always greater than the power that flows out. Without a torque, the first input delivers
+// power.
 TEST(Drive, ReversedInputsHaveTheSameFlow) {
   PlanetarySpec set = simple_set(24, 18, 60, 0.98, 0.98);
   set.fixed = std::vector<std::string>{};
@@ -219,7 +219,8 @@ TEST(Drive, ReversedInputsHaveTheSameFlow) {
   EXPECT_TRUE(same(flow(1, std::nullopt), forward));
   EXPECT_TRUE(same(flow(-1, std::nullopt), forward));
   EXPECT_TRUE(same(flow(-1, 60), against));
-  // If sun and planet drive, T_ring = 60/24 η² T_sun. If planet and ring drive, T_ring = 60/24 T_sun/η².
+  // If sun and planet drive, T_ring = 60/24 η² T_sun. If planet and ring drive,
+  // T_ring = 60/24 T_sun/η².
   const auto bodies = made(set).graph.bodies;
   const auto ring = static_cast<std::size_t>(
       std::ranges::find(bodies, "ring", &DriveBody::name) - bodies.begin());

@@ -66,8 +66,9 @@ std::optional<std::string> Records::between(const QuantityInfo& info, std::strin
   const std::string from = number(info, std::min(x, y), units),
                     to = number(info, std::max(x, y), units);
   // Two equal deviations give one size, which is not the nominal size unless both are zero.
-  if (from == to && from == number(info, *find(nominal, path)->value.number(), units))
-    return std::nullopt;
+  const Member* const drawn = find(nominal, path);
+  const auto size = drawn ? drawn->value.number() : std::nullopt;
+  if (from == to && size && from == number(info, *size, units)) return std::nullopt;
   if (info.unit != Unit::mm) return from + " … " + to;
   const auto decimals = [](const std::string& text) {
     return static_cast<int>(text.size() - std::min(text.find('.'), text.size() - 1) - 1);

@@ -26,8 +26,8 @@ struct Records {
   /// is not printed like the nominal value, the text contains these limits instead of the nominal
   /// value. Returns none if the member has no value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
-  /// True if a value of the member with this path at a tolerance end is not printed like the nominal
-  /// value.
+  /// True if a value of the member with this path at a tolerance end is not printed like the
+  /// nominal value.
   bool has_limits(std::string_view path) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
@@ -298,7 +299,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     Json g;
     g["teeth"] = teeth[i];
     if (p.by_pitch)
-      g["normal_diametral_pitch_per_in"] = pitch_without_rounding(kMmPerInch / row.trial.module);
+      g["normal_diametral_pitch_per_in"] = without_rounding_error(kMmPerInch / row.trial.module);
     else
       g["normal_module_mm"] = row.trial.module;
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);

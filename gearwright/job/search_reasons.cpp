@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "gearwright/base/printable.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/listing.hpp"
@@ -15,13 +16,9 @@
 
 namespace gearwright {
 
-double pitch_without_rounding(double pitch) {
-  return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
-}
-
 std::string size_words(const SearchProblem& problem, double module) {
   return problem.by_pitch
-             ? fmt::format("diametral pitch {}", pitch_without_rounding(kMmPerInch / module))
+             ? fmt::format("diametral pitch {}", without_rounding_error(kMmPerInch / module))
              : fmt::format("module {}", module);
 }
 

@@ -19,11 +19,8 @@ inline constexpr std::string_view kTeethNotRead =
     "The numbers of teeth, the modules and the profile shifts of [gear1] and [gear2] have no "
     "effect on a search, which uses pinion_teeth, ratio, modules_mm and profile_shift of [search].";
 
-/// Removes the rounding error of a pitch that was computed from a module: 25.4/(25.4/3) becomes 3.
-double pitch_without_rounding(double pitch);
-
-/// Returns the size of the teeth as the search gives it, for example "module 2" or "diametral pitch
-/// 8".
+/// Returns the size of the teeth in the form that [search] uses, for example "module 2" or
+/// "diametral pitch 8".
 std::string size_words(const SearchProblem& problem, double module);
 
 /// Returns sentences that describe the rating, the default values, unused tables and the results

@@ -95,7 +95,8 @@ std::string finding_words(const SearchProblem& problem, const DesignRow& row) {
   const auto found = finding_of_drawing(problem, row);
   if (!found) {
     const Error error = spelled(found.error());
-    return fmt::format("The pair cannot be drawn. {}: {}.", error.field, error.rule);
+    return fmt::format("The pair cannot be drawn. {}{}{}.", error.field,
+                       error.field.empty() ? "" : ": ", error.rule);
   }
   const std::optional<Finding>& finding = *found;
   if (!finding) return "The drawn pair cannot be rated.";

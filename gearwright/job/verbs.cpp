@@ -244,8 +244,8 @@ Result<Answer> run_drive(const JobSpec& spec, Progress* progress) {
   return answer_drive(spec, progress);
 }
 
-// Runs the whole search in memory. A search in a folder, by one process or by several, is the work
-// of run_search(), which the programs call with the options of a folder.
+// Runs the whole search in memory. For a search in a folder, by one process or by several, the
+// programs call run_search() themselves, with the options of the folder.
 Result<Answer> run_search_in_memory(const JobSpec& spec, Progress* progress) {
   if (searches_drives(spec)) return answer_drive_search(spec, kDefaultDrives, 0, progress);
   if (!spec.search) return no_search();

@@ -42,7 +42,8 @@ struct Answer {
   std::string why_none;                  ///< the reason, if a verb that proposes specs finds none
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
-  std::function<std::string()> json;     ///< the text of answer_json() if it has its own lines
+  /// The text that --json prints. Empty if it is that of answer_json() with the usual line breaks.
+  std::function<std::string()> json;
   std::function<Json(UnitSystem)> rows;  ///< rows of the page (job/result_rows.hpp); may be empty
   UnitSystem units =
       UnitSystem::mm;  ///< units of the specs, the notes and the output for users; `record` is in

@@ -186,7 +186,7 @@ Result<ScaledSheets> sheets_of_size(const SolvedJob& job, const std::vector<int>
 
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        std::optional<SheetSize> size, double tolerance_mm) {
-  constexpr double kReadable = 0.5;  // teeth of usual modules can be told apart at 1:2
+  constexpr double kReadable = 0.5;  // at the scale 1:2, teeth of usual modules are still distinct
   auto made = sheets_of_size(job, gears, size.value_or(SheetSize::a4), tolerance_mm);
   if (!made) return made.error();
   if (!size && made->least_factor < kReadable) {
@@ -207,7 +207,8 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   if (!made) return made.error();
   const DrawingInput words = title_words(job);
   const SheetWords about{words.title, words.author};
-  std::string note = fmt::format("{}, scale {}", made->size == SheetSize::a4 ? "A4" : "A3", made->scales);
+  std::string note =
+      fmt::format("{}, scale {}", made->size == SheetSize::a4 ? "A4" : "A3", made->scales);
   const bool pdf = format == SheetFormat::pdf;
   const int unknown = pdf ? letters_not_in_pdf(made->sheets) : 0;
   if (unknown > 0)

@@ -29,9 +29,9 @@ struct WorkshopSheets {
 std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody& body);
 
 /// Makes one sheet for each gear or rack of the job whose number (1 or 2) is in `gears`.
-/// `tolerance_mm` is the greatest deviation of the drawn outlines.
-/// Without a size, the sheets have the size A4. If the scale of a sheet A4 would be smaller than
-/// 1:2, the sheets have the size A3, provided that this enlarges the smallest scale.
+/// `tolerance_mm` is the greatest deviation of the drawn outlines. If no size is given, the sheets
+/// have the size A4. If a scale on A4 would be smaller than 1:2, and A3 enlarges the smallest
+/// scale, all sheets have the size A3 instead.
 ///
 /// Errors    the errors of make_body(), gear_sheet() and rack_sheet()
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,

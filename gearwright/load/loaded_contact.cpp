@@ -34,9 +34,9 @@ void add_swing(LoadedTorque& to, std::size_t g, const detail::RootSwing& more) {
   least = least.size() == 0 ? more.least : MatrixXd(least.cwiseMin(more.least));
 }
 
-// Subtracts from the transmission error the mean rotation of gear 2 by the displacement of the axes,
-// which is the difference between Θ of the positions and the approach of their meshes. `sign` is +1
-// or −1, as ContactPair::turned(). [T12.36a]
+// Removes from the transmission error the mean rotation of gear 2 that is due to the displacement
+// of the axes. At each position, this rotation is the difference between Θ and the approach of the
+// mesh. `sign` is the value of ContactPair::turned(), +1 or −1. [T12.36a]
 void leave_out_displacement(LoadedTorque& t, double sign, double base_radius) {
   double sum = 0.0;
   int solved = 0;

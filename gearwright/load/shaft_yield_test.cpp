@@ -350,8 +350,8 @@ TEST(ShaftYield, SoftShaftsDoNotStiffenTheMesh) {
   }
 }
 
-// The mean transmission error under load is that without load minus the mean deflection of the mesh.
-// The displacement of the axes by soft shafts leaves no constant, but its variation remains.
+// The mean transmission error under load is that without load minus the mean deflection of the
+// mesh. The displacement of the axes by soft shafts leaves no constant, but its variation remains.
 TEST(ShaftYield, MeanTransmissionErrorIsThatOfTheMesh) {
   for (const double helix : {0.0, 15.0})
     for (const bool gear2_drives : {false, true}) {

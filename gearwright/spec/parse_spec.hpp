@@ -25,12 +25,12 @@ struct SpecTree {
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
 
-/// Returns the position of a byte of a text.
+/// Returns line and column of the byte with the index `at`.
 TextPlace place_at(std::string_view text, std::size_t at);
 
 /// Returns the position of a key in a JSON text that is valid up to this key. If the last table of
-/// the path contains the key twice, returns the second position. If the key does not exist, returns the
-/// position of the last table or element on the path that does exist. Returns none if the first
+/// the path contains the key twice, returns the second position. If the key does not exist, returns
+/// the position of the last table or element on the path that does exist. Returns none if the first
 /// part of the path does not exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
 

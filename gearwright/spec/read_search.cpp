@@ -123,7 +123,7 @@ void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
       t.fail(
           key,
           "needs face widths, from which the helix angle follows; give face_width_mm or "
-          "face_width_modules, or a required safety by safety_flank_min or safety_root_min, with "
+          "face_width_modules, or a required safety by safety_flank_min or safety_root_min in [search], with "
           "which all widths from 0.2 to 1 times the reference diameter of the pinion are tried");
     p.face_diameters = kUsualFace;
   }

@@ -182,8 +182,9 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
       judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
       continue;
     }
-    // By ISO 6336-6, the spectrum replaces the single load, K_A and the life. The single load has
-    // no life beside a spectrum, so its safety factors would be those of endurance.
+    // By ISO 6336-6, the spectrum replaces the single load, K_A and the life. With a spectrum, the
+    // single load has no given life and thus life factors of 1, so its safety factors apply to an
+    // unlimited life and are not judged.
     judge(WarningCode::spectrum_safety, "root breakage under the load spectrum", which,
           rating.spectrum->S_F[i], rating.wanted.root);
     judge(WarningCode::spectrum_safety, "pitting under the load spectrum", which,

@@ -21,8 +21,8 @@ std::vector<Finding> contact_findings(const PatternPlace& place);
 /// Returns a sentence with the changes that raise all safety factors to their required values, for
 /// example "6 mm more face width, or the steel 17CrNiMo6 would be sufficient." If no single change
 /// is sufficient, the text states this and, unless K_Hβ is computed from the load along the teeth,
-/// the greatest permissible torque. With a load spectrum, the safety factors under the spectrum are
-/// raised too, and the text has no torque.
+/// the greatest permissible torque. With a load spectrum, the safety factors are those under the
+/// spectrum, and the text has no torque.
 std::string rating_remedy(const JudgedRating& rating);
 
 /// Returns one finding for each safety factor below its required value, under the spectrum or, if

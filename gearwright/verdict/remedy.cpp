@@ -224,15 +224,15 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
                         : least_change(trials, finding, lever, deepest);
         }
         if (found && (!best || found->score < best->score)) best = found;
-        // For a finding of a contact analysis, the search stops at the first change that removes the
-        // finding, because each trial takes milliseconds.
+        // For a finding of a contact analysis, the search stops at the first change that removes
+        // the finding, because each trial takes milliseconds.
         if (best && (best->score == Score{} || cure->needs_contact)) break;
       }
       return best;
     };
     std::optional<Found> best = best_change();
-    // A rack that is far too close or too far away often has a pinion with undercut, so every
-    // change leads from the red finding to an amber one.
+    // The pinion of a rack may have undercut, which is an amber finding at every centre distance
+    // with contact. Changes that lead from the red finding to amber ones are therefore tried, too.
     const bool first = &finding == &findings.front() && finding.level == Level::red;
     std::string left;
     if (!best && judged.rack && first) {

@@ -6,11 +6,11 @@
 // change becomes a lever. A lever is a number of the spec with its present value, direction, range
 // and step. For each lever, the program computes the smallest change that removes the finding and
 // neither adds nor worsens another finding. If several changes succeed, the change that leaves the
-// fewest findings is used. If no change succeeds for the first finding of a rack and this finding is
-// red, changes that add amber findings are also accepted, and the remedy names them. If the contact lies near the end of the face, or if an edge touches, the
-// helix slope that moves the contact to the middle is tried first. If no change succeeds, the
-// remedy is only general advice. Remedies for safety factors are computed by rating_remedy()
-// instead.
+// fewest findings is used. If no change succeeds for the first finding of a rack and this finding
+// is red, changes that add amber findings are also accepted, and the remedy names these findings.
+// If the contact lies near the end of the face, or if an edge touches, the helix slope that moves
+// the contact to the middle is tried first. If no change succeeds, the remedy is only general
+// advice. Remedies for safety factors are computed by rating_remedy() instead.
 #pragma once
 
 #include <optional>
@@ -64,8 +64,8 @@ std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged
 std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
                          const Judged& judged, const ChangedState& trial);
 
-/// Returns the distinct reasons of the findings of one level, in the order of the findings. Findings
-/// before index `first` are skipped.
+/// Returns the distinct reasons of the findings of one level, in the order of the findings.
+/// Findings before index `first` are skipped.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, const Judged& judged,
                                  Level level, std::size_t first = 0);
 

@@ -150,7 +150,7 @@ std::string catalogue_json() {
   }
   Json inch_units;
   for (const Unit unit : {Unit::mm, Unit::um, Unit::per_mm, Unit::mm_per_rad}) {
-    constexpr int kMany = 9;  // decimals, of which an inch unit may have one less
+    constexpr int kMany = 9;  // decimals; with 0 decimals, digits_in() could not return one less
     inch_units[std::string(unit_text(unit))] = {unit_text(UnitSystem::inch, unit),
                                                 metric_unit(unit_suffix(unit))->to_metric(1.0),
                                                 digits_in(UnitSystem::inch, unit, kMany) - kMany};

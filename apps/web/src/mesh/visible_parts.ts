@@ -28,8 +28,8 @@ function numbersIn(transform: string | null | undefined, name: string): number[]
   return transform?.match(new RegExp(`${name}\\(([^)]*)\\)`))?.[1]?.split(" ").map(Number);
 }
 
-/** Removes the teeth of a gear that are more than two pitches outside the picture. A tooth extends over less
- *  than that from its root. */
+/** Removes the teeth of a gear whose roots are more than two pitches outside the picture. A tooth extends over
+ *  less than two pitches from its root. */
 function keepTeeth(nodes: DocumentFragment, shown: Element, gear: number, box: Box): void {
   const of = `use[data-turn][data-gear="${gear}"]`;
   const [use, old] = [nodes.querySelector(of), shown.querySelector(of)];
