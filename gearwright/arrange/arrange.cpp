@@ -11,6 +11,7 @@
 #include "gearwright/arrange/proposed_flanks.hpp"
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 
@@ -248,6 +249,20 @@ Result<Arranged> arrange(const GivenPair& given, Scope scope) {
   if (!ends) return ends.error();
   arranged.ends = std::move(ends).take();
   return arranged;
+}
+
+std::optional<Error> check_flanks(const Arranged& arranged) {
+  for (std::size_t i = 0; i < arranged.gears.size(); ++i) {
+    const int which = static_cast<int>(i) + 1;
+    const Gear& gear = arranged.gears[i];
+    const auto& flanks = arranged.completed.gear(which).modifications;
+    if (!any_modification(flanks) || !gear.exists() || !gear.root_form_radius() ||
+        *gear.root_form_radius() == gear.tip_form_radius())
+      continue;
+    if (const auto removal = removal_of(gear, flanks); !removal)
+      return of_gear(which, removal.error());
+  }
+  return std::nullopt;
 }
 
 }  // namespace gearwright

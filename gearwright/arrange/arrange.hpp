@@ -62,4 +62,10 @@ enum class Scope {
 ///           `pair` with the backlash if the pinion or the rack cannot have it
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);
 
+/// Checks that the modifications of every gear fit its flanks, so that all verbs and all remedies
+/// reject the same modifications. A gear without a usable flank has a warning instead.
+///
+/// Errors    `gearN.modifications.…` as make_removal_field
+std::optional<Error> check_flanks(const Arranged& arranged);
+
 }  // namespace gearwright

@@ -231,7 +231,7 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   GivenPair given = *arranged.given;
   if (!make_change(given, change)) return std::nullopt;
   auto made = arrange(given, arranged.mounted() ? Scope::pair : Scope::gears);
-  if (!made) return std::nullopt;
+  if (!made || check_flanks(*made)) return std::nullopt;
   Arranged changed = std::move(made).take();
   JudgedWith of_changed{.errors = with.errors};
   std::optional<ContactResult> contact;

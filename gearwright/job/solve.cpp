@@ -8,7 +8,6 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/measures.hpp"
 
@@ -78,22 +77,6 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
-// Checks that the modifications of every gear fit its flanks, so that all verbs reject the same
-// modifications. A gear without a usable flank has a warning instead.
-std::optional<Error> check_removal(const SolvedJob& job) {
-  for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    const int which = static_cast<int>(i) + 1;
-    const Gear& gear = job.gears[i];
-    const auto& flanks = job.completed.gear(which).modifications;
-    if (!any_modification(flanks) || !gear.exists() || !gear.root_form_radius() ||
-        *gear.root_form_radius() == gear.tip_form_radius())
-      continue;
-    if (const auto removal = removal_of(gear, flanks); !removal)
-      return of_gear(which, removal.error());
-  }
-  return std::nullopt;
-}
-
 // True if the verb `fit` can compute the numbers that the error reports as missing. These numbers
 // are the position of the gears, the helix angles and the profile shifts.
 bool is_found_by_fit(const JobSpec& spec, const Error& error) {
@@ -136,7 +119,7 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   SolvedJob job{std::move(arranged).take(), spec};
   if (auto error = find_halves(job)) return *error;
-  if (auto error = check_removal(job)) return *error;
+  if (auto error = check_flanks(job)) return *error;
   // The author of the file reads the warnings. Their texts therefore contain keys of the file
   // instead of names of members.
   for (Warning& w : job.warnings)
