@@ -177,6 +177,8 @@ std::string drive_listing(const Drive& drive, UnitSystem units) {
 Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
   auto solved = solve_whole_drive(spec, {.rating = Wanted::no}, progress);
   if (!solved) return solved.error();
+  if (spec.rating.given)
+    if (auto error = contradictory_load(spec, solved->drive)) return *error;
   const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
   Answer whole = answer_of(spec, job, drive_listing);
   if (spec.rating.given) whole.verdict->not_judged.emplace_back("rating");

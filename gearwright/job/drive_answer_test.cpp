@@ -353,5 +353,21 @@ TEST(DriveAnswerTest, APlanetWithoutLoadIsAFinding) {
   EXPECT_EQ(judged("[4, 0, 0]\n").level, Level::green);
 }
 
+// `drive` does not rate, but it rejects the same contradictions as `rate`.
+TEST(DriveAnswerTest, ALoadOfTheRatingThatContradictsTheDriveIsAnErrorOfEveryVerb) {
+  const std::string set = kSet;  // 40 N m at 1500 1/min
+  for (const auto& [rating, field] :
+       {std::pair{"[rating]\ntorque_Nm = 41\n", "rating.torque_Nm"},
+        std::pair{"[rating]\nspeed_rpm = 1400\n", "rating.speed_rpm"}}) {
+    const JobSpec spec = drive_job(set + rating);
+    const auto answer = answer_drive(spec), rated = answer_drive_rating(spec);
+    ASSERT_FALSE(answer) << field;
+    ASSERT_FALSE(rated) << field;
+    EXPECT_EQ(answer.error().field, field);
+    EXPECT_EQ(rated.error().field, field);
+  }
+  EXPECT_TRUE(answer_drive(drive_job(set + "[rating]\ntorque_Nm = 40\nspeed_rpm = 1500\n")));
+}
+
 }  // namespace
 }  // namespace gearwright

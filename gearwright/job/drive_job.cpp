@@ -142,6 +142,36 @@ std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, cons
 
 }  // namespace
 
+std::optional<Error> contradictory_load(const JobSpec& spec, const Drive& drive) {
+  constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
+                                      // rounding errors
+  const auto differ = [](double own, double rated) {
+    return std::abs(std::abs(own) - std::abs(rated)) > kSameLoad * std::abs(own);
+  };
+  const auto& own = drive.graph.torque_Nm;
+  const auto& rated = spec.rating.torque;
+  const auto& speed = spec.rating.input.speed;
+  if (own && rated && differ(*own, *rated)) {
+    if (const auto& power = spec.rating.power)
+      return Error{"rating.power_kW", format_number(*power),
+                   fmt::format("is a torque of {} N m at {} 1/min, which contradicts the torque of "
+                               "{} N m on the input of the drive; leave out one of the two",
+                               format_number(*rated), format_number(*speed), format_number(*own))};
+    return Error{
+        "rating.torque_Nm", format_number(*rated),
+        fmt::format(
+            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
+            format_number(*own))};
+  }
+  if (speed && !drive.graph.speeds_rpm.empty() && differ(drive.graph.speeds_rpm.front(), *speed))
+    return Error{
+        "rating.speed_rpm", format_number(*speed),
+        fmt::format(
+            "contradicts the speed of {} 1/min of the input of the drive; leave out one of the two",
+            format_number(drive.graph.speeds_rpm.front()))};
+  return std::nullopt;
+}
+
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   DriveLoad load;
   load.common = spec.rating.input;
@@ -155,34 +185,11 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
         "rating.torque_Nm",
         "; a rating needs a load. Give torque_Nm, or power_kW with speed_rpm, on the "
         "input of the drive or in [rating]");
-  constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
-                                      // rounding errors
-  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own)) {
-    if (const auto& power = spec.rating.power)
-      return Error{"rating.power_kW", format_number(*power),
-                   fmt::format("is a torque of {} N m at {} 1/min, which contradicts the torque of "
-                               "{} N m on the input of the drive; leave out one of the two",
-                               format_number(*rated), format_number(*spec.rating.input.speed),
-                               format_number(*own))};
-    return Error{
-        "rating.torque_Nm", format_number(*rated),
-        fmt::format(
-            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
-            format_number(*own))};
-  }
+  if (auto error = contradictory_load(spec, drive)) return *error;
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
   if (!drive.graph.speeds_rpm.empty()) load.speed = std::abs(drive.graph.speeds_rpm.front());
-  if (const auto& speed = spec.rating.input.speed) {
-    if (load.speed && std::abs(*load.speed - *speed) > kSameLoad * *load.speed)
-      return Error{
-          "rating.speed_rpm", format_number(*speed),
-          fmt::format(
-              "contradicts the speed of {} 1/min of the input of the drive; leave out one of the "
-              "two",
-              format_number(drive.graph.speeds_rpm.front()))};
-    load.speed = speed;
-  }
+  if (spec.rating.input.speed) load.speed = spec.rating.input.speed;
   return load;
 }
 

@@ -35,6 +35,9 @@ Result<DriveJob> solve_drive(const JobSpec& spec);
 /// Returns the [errors] of a spec for each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
+/// Returns an error if the torque or the speed of [rating] contradicts that of the drive.
+std::optional<Error> contradictory_load(const JobSpec& spec, const Drive& drive);
+
 /// Returns the load for a rating. The load is given in [rating] or results from the drive.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory, and for a mesh load factor

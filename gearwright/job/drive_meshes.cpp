@@ -239,9 +239,10 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
         notes.push_back(
             "The spectrum of [rating] is left out, because it applies to the whole drive.");
     } else {
-      const char* why = rack      ? "a rack is not rated"
-                        : carries ? "the drive has no load"
-                                  : "the mesh carries no load";
+      const std::string why = rack       ? "a rack is not rated"
+                              : !carries ? "the mesh carries no load"
+                              : load.error().kind == FailureKind::missing ? "the drive has no load"
+                                                                          : load.error().message();
       notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
     }
   }
