@@ -41,7 +41,7 @@ std::string teeth_text(const DriveCandidate& c);
 
 /// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the
 /// candidate's numbers, the keys of [search] that apply to all candidates, and the other tables of
-/// `spec`.
+/// `spec`. If [search] has no torque, the drive has the torque and the speed of [rating].
 ///
 /// Law       the drive of this spec equals drive_of() for the candidate
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);

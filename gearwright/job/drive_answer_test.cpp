@@ -369,5 +369,27 @@ TEST(DriveAnswerTest, ALoadOfTheRatingThatContradictsTheDriveIsAnErrorOfEveryVer
   EXPECT_TRUE(answer_drive(drive_job(set + "[rating]\ntorque_Nm = 40\nspeed_rpm = 1500\n")));
 }
 
+// The torque and the speed of [rating] are also those of the drive, so forces and loads need no
+// further key.
+TEST(DriveAnswerTest, FoundDrivesHaveTheLoadOfTheRating) {
+  for (const std::string kind : {"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [18, 22]\n",
+                                 "kind = \"train\"\nratio = [-3.6, -3.4]\nstages = 1\n"
+                                 "pinion_teeth = [19, 21]\n"}) {
+    const auto answer = answer_drive_search(
+        drive_job("[search]\n" + kind +
+                  "normal_module_mm = 2\nface_width_mm = 30\n[rating]\ntorque_Nm = 40\n"
+                  "speed_rpm = 1450\nquality = 6\nmaterial = \"18CrNiMo7-6\"\n"),
+        1, 1);
+    ASSERT_TRUE(answer) << answer.error().message();
+    ASSERT_FALSE(answer->specs.empty()) << kind;
+    const Json& spec = answer->specs.front();
+    const Json& table = spec.contains("stage") ? spec["stage"][0] : spec["planetary"];
+    EXPECT_EQ(table["torque_Nm"], 40) << kind;
+    EXPECT_EQ(table["speed_rpm"], 1450) << kind;
+    EXPECT_TRUE(
+        drive_record(drive_job(toml_text(spec)))["bodies"].begin().value().contains("torque_Nm"));
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -21,6 +21,23 @@ std::string teeth_text(const DriveCandidate& c) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
+namespace {
+
+// Adds the torque and the speed of [rating] to the keys of the drive if these have no load. A
+// drive of several inputs needs a list of speeds, which [rating] cannot give.
+void add_load(const Json& tree, const DriveSearchProblem& problem, Json& shared) {
+  const bool several = problem.base.inputs.size() > 1;
+  if (several || !tree.contains("rating") || shared.contains("torque_Nm") ||
+      shared.contains("power_kW"))
+    return;
+  const Json& rating = tree["rating"];
+  if (!rating.contains("torque_Nm") && !rating.contains("power_kW")) return;
+  for (const char* key : {"torque_Nm", "power_kW", "speed_rpm"})
+    if (rating.contains(key) && !shared.contains(key)) shared[key] = rating[key];
+}
+
+}  // namespace
+
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c) {
   const Json& tree = spec.tree->tables;
   const Json& search = tree["search"];
@@ -32,6 +49,7 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
   if (problem.safety_root) made["rating"]["safety_root_min"] = *problem.safety_root;
   const bool train = !c.stages.empty();
   Json shared = shared_keys(search, train);
+  add_load(tree, problem, shared);
   if (!problem.modules.empty()) shared["normal_module_mm"] = c.module;
   if (!problem.base.series.empty()) shared["thickness_series"] = problem.base.series;
   if (train) {
