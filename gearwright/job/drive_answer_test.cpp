@@ -369,6 +369,19 @@ TEST(DriveAnswerTest, ALoadOfTheRatingThatContradictsTheDriveIsAnErrorOfEveryVer
   EXPECT_TRUE(answer_drive(drive_job(set + "[rating]\ntorque_Nm = 40\nspeed_rpm = 1500\n")));
 }
 
+TEST(DriveAnswerTest, TablesWithoutEffectAreNamed) {
+  const auto answer = answer_drive(drive_job(std::string(kSet) + "[scatter]\nquality = 6\n"));
+  ASSERT_TRUE(answer) << answer.error().message();
+  std::string said;
+  for (const Warning& w : answer->warnings)
+    if (w.code == WarningCode::not_read) said += w.message;
+  EXPECT_NE(said.find("[scatter] has no effect on a drive"), said.npos) << said;
+  const auto plain = answer_drive(drive_job(kSet));
+  ASSERT_TRUE(plain) << plain.error().message();
+  for (const Warning& w : plain->warnings)
+    EXPECT_TRUE(w.code != WarningCode::not_read) << w.message;
+}
+
 // The torque and the speed of [rating] are also those of the drive, so forces and loads need no
 // further key.
 TEST(DriveAnswerTest, FoundDrivesHaveTheLoadOfTheRating) {

@@ -56,6 +56,21 @@ std::optional<Error> find_halves(Drive& drive) {
   return std::nullopt;
 }
 
+// Returns a note for each table of the spec that has no effect on a drive.
+std::vector<Warning> unused_tables(const JobSpec& spec) {
+  std::vector<Warning> notes;
+  for (const std::string table : {"gear1", "gear2", "pair", "compensate", "scatter", "fit"})
+    if (spec.given.contains(table))
+      notes.push_back(
+          {WarningCode::not_read,
+           fmt::format(
+               "[{}] has no effect on a drive. The command `gearwright drive SPEC --take N` "
+               "writes mesh N of the drive as a pair, for the verbs for pairs.",
+               table),
+           0});
+  return notes;
+}
+
 }  // namespace
 
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
@@ -79,6 +94,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
+  for (Warning& note : unused_tables(spec)) job.drive.findings.push_back(std::move(note));
   if (spec.errors.any()) {
     const MeshErrors errors = mesh_errors(spec, job.drive);
     for (std::size_t m = 0; m < job.drive.geometry.racks.size(); ++m)
