@@ -232,9 +232,9 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
                const auto pitches = v.drive->speed_ratio(v.body);
                return pitch && pitches ? Value(*pitch * *pitches) : Value();
              });
-    q.number("relative_speed_ratio", "speed ratio relative to the frame", "",
+    q.number("relative_speed_ratio", "speed ratio relative to the carrier", "",
              "speed ratio of the body minus the speed ratio of the carrier in whose frame the body "
-             "meshes",
+             "meshes; equal to the speed ratio if the body meshes in the frame of the housing",
              [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
     const auto turns = [](const V& v) { return !v.drive->graph.moves(v.body); };
     q.term("speed_rpm", "absolute speed; null for a rack", [turns](const V& v) -> Value {

@@ -133,6 +133,16 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
   return ratings;
 }
 
+bool rates_equal_shares(const Drive& drive) {
+  bool several = false;
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    if (!drive.ratings[m] || drive.graph.copies(drive.graph.meshes[m]) == 1) continue;
+    if (drive.ratings[m]->input.mesh_load_factor != 1.0) return false;
+    several = true;
+  }
+  return several && !drive.loaded;
+}
+
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety) {
   std::optional<double> least;
   for (const auto& r : drive.ratings) {

@@ -57,6 +57,14 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);
 
+/// The sentence about a rating for which rates_equal_shares() is true.
+inline constexpr const char* kEqualShares =
+    "The rating uses K_γ = 1 (the default), as if the planets carried equal loads. To change it, "
+    "give mesh_load_factor in [rating].";
+
+/// True if all meshes of several planets are rated with K_γ = 1, without a computation of K_γ.
+bool rates_equal_shares(const Drive& drive);
+
 /// Returns the least S_H or S_F of all meshes, or none if no mesh is rated.
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
 

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/drive/drive_forces.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -198,13 +199,16 @@ namespace {
 
 // Lists the inputs, factors and safety factors of each mesh, as in the rating of a pair.
 std::string factor_listing(const Drive& drive, UnitSystem units) {
-  std::string out;
+  std::string out = rates_equal_shares(drive) ? "\n" + wrapped(std::string(kEqualShares)) : "";
   for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
     const auto record = mesh_rating(drive, m);
     if (!record) continue;
-    out += fmt::format("\nStrength of {}\n", printable(drive.graph.meshes[m].name));
+    const DriveMesh& mesh = drive.graph.meshes[m];
+    const std::vector<std::string> names{printable(drive.graph.gear(mesh, 0).name, 13),
+                                         printable(drive.graph.gear(mesh, 1).name, 13)};
+    out += fmt::format("\nStrength of {}\n", printable(mesh.name));
     out += quantity_listing(
-        units, rating_quantities().table(), {*record}, gear_columns(2), [&](const QuantityInfo& q) {
+        units, rating_quantities().table(), {*record}, names, [&](const QuantityInfo& q) {
           return sentence_in(units, source_text(drive.ratings[m]->rating, q.key));
         });
   }

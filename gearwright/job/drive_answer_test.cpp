@@ -382,6 +382,14 @@ TEST(DriveAnswerTest, TablesWithoutEffectAreNamed) {
     EXPECT_TRUE(w.code != WarningCode::not_read) << w.message;
 }
 
+TEST(DriveAnswerTest, FindingsNameKeysWithoutBackticks) {
+  const auto job = solve_whole_drive(drive_job(kSet));
+  ASSERT_TRUE(job) << job.error().message();
+  EXPECT_FALSE(job->verdict.findings.empty());
+  for (const Finding& f : job->verdict.findings)
+    EXPECT_EQ((f.message + f.remedy).find('`'), std::string::npos) << f.message;
+}
+
 // The torque and the speed of [rating] are also those of the drive, so forces and loads need no
 // further key.
 TEST(DriveAnswerTest, FoundDrivesHaveTheLoadOfTheRating) {

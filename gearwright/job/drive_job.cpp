@@ -341,6 +341,12 @@ Verdict judge(const DriveJob& job) {
     if (!ratings[m] && job.drive.flow->driver[m] >= 0)
       verdict.not_judged.push_back(
           fmt::format("rating of the mesh {}", printable(job.drive.graph.meshes[m].name)));
+  const auto spell = [&](std::string& text) { text = spelled(text, job.spec.given, "gear2"); };
+  spell(verdict.headline);
+  for (Finding& f : verdict.findings) {
+    spell(f.message);
+    spell(f.remedy);
+  }
   return verdict;
 }
 

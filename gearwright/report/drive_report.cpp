@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/gear_figures.hpp"
@@ -89,10 +90,12 @@ std::string power_part(const Drive& drive, UnitSystem units) {
 std::string strength_part(const Drive& drive, UnitSystem units) {
   if (drive.ratings.empty()) return "";
   std::string text = "<section>\n<h2>Strength</h2>\n";
+  if (rates_equal_shares(drive)) text += fmt::format("<p>{}</p>\n", kEqualShares);
   for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
     const auto rating = mesh_rating(drive, m);
     if (!rating) continue;
-    TableBuilder table(drive.graph.meshes[m].name, {"Gear 1", "Gear 2"});
+    const DriveMesh& mesh = drive.graph.meshes[m];
+    TableBuilder table(mesh.name, {drive.graph.gear(mesh, 0).name, drive.graph.gear(mesh, 1).name});
     table.decisive_rows({"S_F", "S_H"});
     table.groups(text_groups(rating_quantities().table(), {*rating}, kPage, units));
     text += table.str();

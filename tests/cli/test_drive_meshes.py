@@ -223,6 +223,10 @@ torque_Nm = 5
             _, _, factors = out.partition(f"Strength of {name}\n")
             for symbol in ("Z_H", "K_v", "K_Hβ", "Y_F", "S_H", "S_F"):
                 self.assertRegex(factors, rf" {symbol} +\d")
+            self.assertRegex(factors, r"^\s*" + r"\s+".join(name.split("_")) + r"\s*\n")
+        self.assertIn("The rating uses K_γ = 1 (the default)", " ".join(out.split()))
+        given = Run("rate", SET + rating + "mesh_load_factor = 1.1\n").out
+        self.assertNotIn("(the default), as if the planets", " ".join(given.split()))
 
     def test_circular_arcs_have_a_backlash(self):
         """The headline of a drive whose teeth are circular arcs states their backlash along the normal, as that of
