@@ -2,7 +2,6 @@
 // gears.
 #include "gearwright/job/workshop_drawing.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,36 +97,6 @@ TEST(WorkshopDrawing, words_keep_off_lines_and_each_other) {
                     "rack = \"GBT12759\""),
                "arcs");
   expect_clear(gear("teeth = -200\nnormal_module_mm = 0.5\nface_width_mm = 300"), "long ring");
-}
-
-TEST(WorkshopDrawing, takes_the_greatest_scale_that_has_room) {
-  const auto scale = [](const std::string& toml, SheetSize size) {
-    return taken(workshop_sheets(solved(toml), {1}, size, 0.001)).scales;
-  };
-  const std::string small = gear("teeth = 60\nnormal_module_mm = 0.2\nface_width_mm = 1");
-  const std::string great = gear("teeth = 200\nnormal_module_mm = 20\nface_width_mm = 400");
-  EXPECT_EQ(scale(small, SheetSize::a4), "5:1");
-  EXPECT_EQ(scale(small, SheetSize::a3), "10:1");
-  EXPECT_EQ(scale(great, SheetSize::a4), "1:50");
-  EXPECT_EQ(scale(great, SheetSize::a3), "1:20");
-}
-
-// Without a size, the sheets are A4. They are A3 if one of them would have a scale below 1:2 on A4
-// and a greater scale on A3.
-TEST(WorkshopDrawing, IsOnA3IfA4WouldBeTooSmall) {
-  const auto sheets = [](const std::string& toml, const std::vector<int>& gears) {
-    return taken(workshop_sheets(solved(toml), gears, std::nullopt, 0.001));
-  };
-  const auto wheel = [](int teeth) {
-    return fmt::format("\n[gear2]\nteeth = {}\nnormal_module_mm = 2\nface_width_mm = 15", teeth);
-  };
-  const std::string pinion = gear("teeth = 27\nnormal_module_mm = 2\nface_width_mm = 15");
-  const WorkshopSheets small = sheets(pinion + wheel(30), {1, 2});
-  EXPECT_EQ(small.size, SheetSize::a4) << small.scales;
-  const WorkshopSheets large = sheets(pinion + wheel(85), {1, 2});
-  EXPECT_EQ(large.size, SheetSize::a3) << large.scales;
-  for (const Sheet& sheet : large.sheets) EXPECT_EQ(sheet.size.x(), 420);
-  EXPECT_EQ(sheets(pinion + wheel(85), {1}).size, SheetSize::a4);
 }
 
 bool contains(const std::string& toml, const std::string& words) {

@@ -94,7 +94,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     if (!open_.back().keys.insert(name).second)
-      throw SpecError{{printable(path() + name, kLongestPath), "",
+      throw SpecError{{printable(object_path() + name, kLongestPath), "",
                        "occurs twice in one table; leave out one of the two"}};
     open_.back().key = name;
     return true;
@@ -102,7 +102,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t read, const std::string& token,
                    const nlohmann::json::exception& error) override {
     constexpr int kOverflow = 406;  // json.exception.out_of_range.406
-    if (error.id == kOverflow) throw SpecError{number_too_large(path(), token)};
+    if (error.id == kOverflow) throw SpecError{number_too_large(value_path(), token)};
     error_at = read - std::min<std::size_t>(read, 1);  // `read` includes the rejected character
     // Messages of the library begin with "[json.exception.parse_error.101] ".
     const std::string what = error.what();
@@ -112,22 +112,23 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   }
 
  private:
-  // Returns the path of the value that is being read.
-  std::string path() const {
-    std::string path;
-    for (const Open& o : open_)
-      path += o.node->is_array() ? fmt::format("[{}]", o.node->size() + 1)
-                                 : (path.empty() ? "" : ".") + printable(o.key, 60);
-    return path;
-  }
   struct Open {
     Json* node;
     std::set<std::string> keys{};
     std::string key{};
   };
 
+  // Returns the path of the value that is being read.
+  std::string value_path() const {
+    std::string path;
+    for (const Open& o : open_)
+      path += o.node->is_array() ? fmt::format("[{}]", o.node->size() + 1)
+                                 : (path.empty() ? "" : ".") + printable(o.key, 60);
+    return path;
+  }
+
   // Returns the path of the innermost open object, with a point at its end, "gear1.rack.".
-  std::string path() const {
+  std::string object_path() const {
     std::string text;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
       const Open& o = open_[i];
