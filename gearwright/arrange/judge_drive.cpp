@@ -166,7 +166,7 @@ void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& 
     // A stage with `teeth` has no key for a tip diameter.
     if (key.empty() && change->what == Adjustable::tip_diameter && !input.stages.empty() &&
         !drive.graph.frame(drive.graph.meshes[m]))
-      f.remedy.insert(f.remedy.size() - 1, " (tip_diameter_mm in the list gears of the stage)");
+      f.remedy.insert(f.remedy.size() - 1, " (`tip_diameter`, which a gear with its own table can have)");
     if (key.empty()) continue;
     f.change = own[i].change;
     f.change->path = key;

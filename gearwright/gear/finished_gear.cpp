@@ -155,9 +155,8 @@ void warn_about_tooth(Gear& gear) {
                      gear.root_diameter,
                      gear.spec.root_fillet ? ""
                                            : " With few teeth, `root_fillet` can replace the root "
-                                             "that the cutter cuts. This key needs a table of the "
-                                             "gear: [gear1], [[drive.gear]], or the list gears of "
-                                             "a [[stage]]."));
+                                             "that the cutter cuts. It belongs to a gear that has "
+                                             "its own table."));
     return;
   }
   if (tooth.severed) {

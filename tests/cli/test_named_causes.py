@@ -120,7 +120,7 @@ class NamedCauses(unittest.TestCase):
         r = Run("rate", drive + "[rating]\n" + rating)
         self.assertIn("for a pair of gears without a drive, a shaft with its bearings in gear1.shaft", r.err)
         r = Run("drive", "[planetary]\nsun = 1\nplanet = 1\nring = 3\nnormal_module_mm = 1\n", "--json")
-        self.assertIn("This key needs a table of the gear", r.json["verdict"]["headline"])
+        self.assertIn("It belongs to a gear that has its own table", r.json["verdict"]["headline"])
 
     def test_a_cutter_with_too_many_teeth_names_a_possible_number(self):
         """Regression: the error had no value, and the remedy was a cutter without undercut, which the cutter was."""
@@ -165,7 +165,7 @@ class NamedCauses(unittest.TestCase):
         self.assertIn("cannot be assembled", verdict["headline"])
         self.assertNotIn("copies fit", str(verdict))
         ring = Run("drive", "[[stage]]\nteeth = [20, -25]\nnormal_module_mm = 2\n", "--json").json["verdict"]["headline"]
-        self.assertIn("(tip_diameter_mm in the list gears of the stage)", ring)
+        self.assertIn("(tip_diameter_mm, which a gear with its own table can have)", ring)
 
 
 if __name__ == "__main__":
