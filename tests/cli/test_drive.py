@@ -346,7 +346,7 @@ class Solids(unittest.TestCase):
                            'normal_module_mm = 2\nface_width_mm = 20\n[[drive.mesh]]\ngears = ["q", "r"]\n')
         made = Run("export", two, "--step", "rack.step")
         self.assertEqual(made.status, 1)
-        self.assertIn("r is a rack with 2 pinions", made.err)
+        self.assertIn('drive.gear = "r": is a rack with 2 pinions', made.err)
 
     def test_the_cylinder_between_two_gears_clears_the_gears_beside_it(self):
         """Gear g5, with a tip radius of 62 mm, is beside the shaft of g2 and g3. The angle of its
