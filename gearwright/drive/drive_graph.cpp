@@ -160,11 +160,11 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
   if (graph.speeds_rpm.size() > graph.inputs.size()) {
     std::vector<std::string> speeds;
     for (const double rpm : graph.speeds_rpm) speeds.push_back(format_number(rpm));
-    return Error{
-        "drive.speed", fmt::format("[{}]", fmt::join(speeds, ", ")),
-        fmt::format(
-            "has {} speeds, but the drive has {}; give one speed for each input", speeds.size(),
-            graph.inputs.size() == 1 ? "1 input" : fmt::format("{} inputs", graph.inputs.size()))};
+    const std::size_t inputs = graph.inputs.size();
+    return Error{"drive.speed", fmt::format("[{}]", fmt::join(speeds, ", ")),
+                 fmt::format("has {} number{} for {} input{}; give one speed for each input",
+                             speeds.size(), speeds.size() == 1 ? "" : "s", inputs,
+                             inputs == 1 ? "" : "s")};
   }
   if (graph.inputs.size() == 1 && graph.speeds_rpm.size() == 1 &&
       graph.torque_Nm.value_or(0.0) * graph.speeds_rpm.front() < 0.0)
