@@ -26,6 +26,11 @@ DriveGraph graph(const std::vector<std::pair<M, int>>& teeth, int planets,
   for (const auto& [member, z] : teeth) set.z(member) = z;
   set.planets = planets;
   set.spacing = spacing;
+  if (teeth.size() == 2) {  // a planet in one ring has no default bodies
+    set.fixed = {{"ring"}};
+    set.inputs = {"carrier"};
+    set.output = "planet";
+  }
   const auto made = graph_of(set);
   EXPECT_TRUE(made) << made.error().message();
   return *made;

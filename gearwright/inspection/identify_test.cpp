@@ -370,6 +370,8 @@ TEST(Identify, the_next_measurement_separates_most_of_the_probability) {
   p.teeth = 23;
   p.spans = {{2, 9.55}, {3, 15.43}};
   p.tip.value = 52.1;
+  p.distance.value = 88.5;
+  p.mating_teeth = 61;
   const auto found = testing::taken(identify(p));
   ASSERT_TRUE(found.next);
   // Dimensions over balls of two adjacent whole degrees differ by 0.25 mm and are predicted to

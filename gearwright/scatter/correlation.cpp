@@ -177,14 +177,20 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
                  fmt::format("{}; multiply all correlations by at most {:.2f}", why,
                              common_factor(names.size(), correlations))};
   const ToleranceCorrelation& c = correlations[*best];
-  if (const auto range = range_of(r, c); range && c.value > (*range)[0] && c.value < (*range)[1])
+  if (const auto range = range_of(r, c); range && c.value > (*range)[0] && c.value < (*range)[1]) {
+    constexpr double kDigits = 1e10;
+    const double permitted = nearest_permitted(r, c, ((*range)[0] + (*range)[1]) / 2);
+    // The tenth decimal is rounded away from the given value, so that the number is permitted.
+    const double printed = (permitted < c.value ? std::floor(permitted * kDigits)
+                                                : std::ceil(permitted * kDigits)) /
+                           kDigits;
     return Error{
         field(c) + ".value", fmt::format("{}", c.value),
         fmt::format("this value is possible, but at least {} of the variance of every input must "
                     "be independent of the other inputs, so that rounding errors stay small; the "
                     "nearest permitted correlation of {} and {} is {:.10f}",
-                    kLeastPivot, names[c.first], names[c.second],
-                    nearest_permitted(r, c, ((*range)[0] + (*range)[1]) / 2))};
+                    kLeastPivot, names[c.first], names[c.second], printed)};
+  }
   return Error{
       field(c) + ".value", fmt::format("{}", c.value),
       fmt::format(
