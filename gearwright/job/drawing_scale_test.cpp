@@ -46,10 +46,10 @@ TEST(DrawingScale, IsOnA3IfA4WouldBeTooSmall) {
   const std::string pinion = gear1("teeth = 27\nnormal_module_mm = 2\nface_width_mm = 15");
   const WorkshopSheets small = sheets(pinion + wheel(30), {1, 2});
   EXPECT_EQ(small.size, SheetSize::a4) << small.scales;
-  const WorkshopSheets large = sheets(pinion + wheel(110), {1, 2});
+  const WorkshopSheets large = sheets(pinion + wheel(170), {1, 2});
   EXPECT_EQ(large.size, SheetSize::a3) << large.scales;
   for (const Sheet& sheet : large.sheets) EXPECT_EQ(sheet.size.x(), 420);
-  EXPECT_EQ(sheets(pinion + wheel(110), {1}).size, SheetSize::a4);
+  EXPECT_EQ(sheets(pinion + wheel(170), {1}).size, SheetSize::a4);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/math/statistics.hpp"
 
@@ -109,14 +108,17 @@ double common_factor(std::size_t size, std::span<const ToleranceCorrelation> cor
 // Returns the correlation nearest to the value of `c` with which R is positive definite, rounded to
 // ten decimals. `middle` is a correlation with which R is positive definite.
 double nearest_permitted(Matrix r, const ToleranceCorrelation& c, double middle) {
-  constexpr int kDecimals = 10, kHalvings = 60;
+  constexpr int kHalvings = 60;
+  constexpr double kTenDecimals = 1e10;
   double good = middle, bad = c.value;
   for (int i = 0; i < kHalvings; ++i) {
     const double value = (good + bad) / 2;
     r[c.first][c.second] = r[c.second][c.first] = value;
     (cholesky(r) ? good : bad) = value;
   }
-  return good > middle ? rounded_down(good, kDecimals) : rounded_up(good, kDecimals);
+  // Rounding away from c.value keeps the result permitted.
+  const double scaled = good * kTenDecimals;
+  return (good > middle ? std::floor(scaled) : std::ceil(scaled)) / kTenDecimals;
 }
 
 // Returns the index of the tolerance of each coordinate.
@@ -178,18 +180,13 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
                              common_factor(names.size(), correlations))};
   const ToleranceCorrelation& c = correlations[*best];
   if (const auto range = range_of(r, c); range && c.value > (*range)[0] && c.value < (*range)[1]) {
-    constexpr double kDigits = 1e10;
-    const double permitted = nearest_permitted(r, c, ((*range)[0] + (*range)[1]) / 2);
-    // The tenth decimal is rounded away from the given value, so that the number is permitted.
-    const double printed = (permitted < c.value ? std::floor(permitted * kDigits)
-                                                : std::ceil(permitted * kDigits)) /
-                           kDigits;
     return Error{
         field(c) + ".value", fmt::format("{}", c.value),
         fmt::format("this value is possible, but at least {} of the variance of every input must "
                     "be independent of the other inputs, so that rounding errors stay small; the "
                     "nearest permitted correlation of {} and {} is {:.10f}",
-                    kLeastPivot, names[c.first], names[c.second], printed)};
+                    kLeastPivot, names[c.first], names[c.second],
+                    nearest_permitted(r, c, ((*range)[0] + (*range)[1]) / 2))};
   }
   return Error{
       field(c) + ".value", fmt::format("{}", c.value),

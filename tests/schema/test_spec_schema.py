@@ -267,7 +267,7 @@ class Ranges(unittest.TestCase):
     def test_forms_of_a_value_are_those_of_the_program(self):
         for table, key, right, wrong in (
                 ("stage", "angle_deg", (30, "coaxial"), ([30], {"a": 30}, 400, "axial")),
-                ("stage", "bore_mm", (8, [8], [8, 10]), ([], [8, 9, 10], ["8"], -1, "8")),
+                ("stage", "bore_mm", (8, [8, 10]), ([], [8], [8, 9, 10], ["8"], -1, "8")),
                 ("planetary", "torque_Nm", (5, [5]), ([5, 6], {"sun": 5}, "5")),
                 ("rating", "mesh_load_factor", (1.2,), ([1.2], 0.5, "calculated"))):
             spec, way = TABLES[table]
