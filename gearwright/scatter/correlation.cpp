@@ -116,7 +116,7 @@ double nearest_permitted(Matrix r, const ToleranceCorrelation& c, double middle)
     r[c.first][c.second] = r[c.second][c.first] = value;
     (cholesky(r) ? good : bad) = value;
   }
-  // Rounding away from c.value keeps the result permitted.
+  // Rounding away from c.value keeps the result in the permitted range.
   const double scaled = good * kTenDecimals;
   return (good > middle ? std::floor(scaled) : std::ceil(scaled)) / kTenDecimals;
 }
