@@ -71,8 +71,8 @@ TEST(ScatterCorrelations, RefusesAMatrixThatIsNone) {
       "scatter.correlations[1].value", "0.8274");
 }
 
-// Oracle: the variance that is independent of the other input is 1 − ρ². It must exceed 1e-9, so ρ
-// is less than √(1 − 1e-9) = 0.99999999949….
+// Oracle: the variance that is independent of the other input is 1 − ρ². It must exceed 1e-9, so
+// |ρ| is at most about √(1 − 1e-9) = 0.99999999950.
 TEST(ScatterCorrelations, StatesTheLimitOfRounding) {
   const std::string pair = R"([{"between": ["errors.crossing_deg", "errors.intersecting_deg"],)";
   expect_no_correlation(pair + R"("value": 0.9999999999}])", "scatter.correlations[1].value",
