@@ -211,18 +211,27 @@ std::string table_of_gear(const Json& tree, const std::string& name) {
   contract_failed("precondition", "a gear with its own table", __FILE__, __LINE__);
 }
 
+// Returns the entry of [drive] with this name in `list`, which is "mesh" or "body": "drive.mesh[2]".
+// The default name of a mesh consists of the names of its gears. Returns none if there is no such
+// entry.
+std::optional<std::string> entry_of(const Json& tree, const std::string& list,
+                                    const std::string& name) {
+  if (!tree.contains("drive")) return std::nullopt;
+  const Json entries = tree["drive"].value(list, Json::array());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Json& own = entries[i];
+    const Json gears = own.value("gears", Json::array());
+    const std::string usual =
+        gears.size() == 2 ? gears[0].get<std::string>() + "_" + gears[1].get<std::string>() : "";
+    if (own.value("name", usual) == name) return fmt::format("drive.{}[{}]", list, i + 1);
+  }
+  return std::nullopt;
+}
+
 // Returns the key of a number of the mesh with this name, "drive.mesh[2].center_distance_mm" or
 // "planetary.center_distance_mm.planet_ring".
 std::string key_of_mesh(const Json& tree, const std::string& name, const std::string& key) {
-  if (tree.contains("drive")) {
-    const Json& meshes = tree["drive"]["mesh"];
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const Json& own = meshes[i];
-      const auto gear = [&](int which) { return own["gears"][which].get<std::string>(); };
-      if (own.value("name", gear(0) + "_" + gear(1)) == name)
-        return fmt::format("drive.mesh[{}].{}", i + 1, key);
-    }
-  }
+  if (const auto entry = entry_of(tree, "mesh", name)) return *entry + "." + key;
   if (!tree.contains("stage")) return fmt::format("planetary.{}.{}", key, name);
   for (std::size_t k = 1; k <= tree["stage"].size(); ++k) {
     const Json& stage = tree["stage"][k - 1];
@@ -261,15 +270,7 @@ void name_entry(Error& error, const Json& tree) {
     error.value.clear();
     return;
   }
-  const Json entries = tree["drive"].value(list, Json::array());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Json& own = entries[i];
-    const bool named = own.contains("name");
-    const std::string its_name = named ? own["name"].get<std::string>()
-                                       : fmt::format("{}_{}", own["gears"][0].get<std::string>(),
-                                                     own["gears"][1].get<std::string>());
-    if (its_name == error.value) error.field = fmt::format("drive.{}[{}]", list, i + 1);
-  }
+  error.field = entry_of(tree, list, error.value).value_or(error.field);
 }
 
 template <class T>

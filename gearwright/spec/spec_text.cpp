@@ -118,13 +118,12 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
     std::string key{};
   };
 
-  // Returns the path of the value that is being read.
+  // Returns the path of the value that is being read, "gear1.teeth" or "stage[2].teeth[1]".
   std::string value_path() const {
-    std::string path;
-    for (const Open& o : open_)
-      path += o.node->is_array() ? fmt::format("[{}]", o.node->size() + 1)
-                                 : (path.empty() ? "" : ".") + printable(o.key, 60);
-    return path;
+    const Open& o = open_.back();
+    return printable(
+        object_path() + (o.node->is_array() ? fmt::format("[{}]", o.node->size() + 1) : o.key),
+        kLongestPath);
   }
 
   // Returns the path of the innermost open object, with a point at its end, "gear1.rack.".

@@ -56,6 +56,9 @@ class NamedCauses(unittest.TestCase):
                                   ("[[stage]]\nteeth = [20, 30]\n[[stage]]\nteeth = [20, 1e999]\n", "stage[2].teeth", "1e999")):
             r = self.refused("gear", spec, key, "is too large", "1000000000", value=number)
             self.assertNotIn("unit", r.err)
+        # Regression: the path named the entry after the one with this number.
+        self.refused("drive", '{"stage": [{"teeth": [20, 30]}, {"teeth": [1e400, 3]}]}', "stage[2].teeth[1]", "is too large",
+                     value="1e400", name="case.json")
         self.refused("gear", '{"gear1": {"teeth": [20, 1e400]}}', "gear1.teeth[2]", "is too large", value="1e400", name="case.json")
 
     def test_a_byte_order_mark_does_not_hide_the_format(self):
