@@ -6,6 +6,7 @@
 //     on.always   the wheel zooms at once, not only after the pointer has moved on the picture
 //     on.touch    one finger moves the picture, two fingers zoom
 //     on.home()   restores the view; by default, the initial view is restored
+//     on.moved()  called after each change of the view
 //     on.settled()  called after the view has not changed for a moment
 (function () {
   'use strict';
@@ -27,6 +28,7 @@
         label.figureAt = label.figureAt || label.getAttribute('transform');
         label.setAttribute('transform', k === 1 ? label.figureAt : label.figureAt + ' scale(' + k + ')');
       });
+      if (on.moved) on.moved();
       clearTimeout(settling);
       if (on.settled) settling = setTimeout(on.settled, pause);
     }

@@ -16,7 +16,7 @@ declare function packedPart(id: string): Uint8Array;
 /** Defined by zoom_script.js. */
 declare function figureZoom(
   holder: Element,
-  on: { always?: boolean; touch?: boolean; home?: () => void; settled?: () => void },
+  on: { always?: boolean; touch?: boolean; home?: () => void; moved?: () => void; settled?: () => void },
 ): void;
 /** Defined by turn_script.js. */
 declare function figureTurn(scope: Element): (t: number, moved: boolean) => void;

@@ -103,6 +103,32 @@ describe("pictures", () => {
     }, before);
   });
 
+  it("a view that is zoomed right after two figures in a row is kept", async () => {
+    // Regression: 200 ms after the second figure, the whole figure replaced the zoomed view, and the new window
+    // was lost.
+    await put(page, example("helical_pair"), "mesh");
+    await idle(page);
+    const [before, after] = await page.evaluate(async () => {
+      const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+      const ends = () => document.querySelector("#room-mesh g.plot").getAttribute("data-x");
+      const width = () => ends().split(" ").slice(0, 2).map(Number).reduce((lo, hi) => hi - lo);
+      const choose = async (name) => {
+        const old = ends();
+        document.querySelector(`[data-choice="${name}"]`).click();
+        while (ends() === old) await pause(1);
+      };
+      await choose("whole");
+      await choose("mesh");
+      const before = width();
+      await pause(100);
+      document.querySelector("#room-mesh svg").dispatchEvent(new KeyboardEvent("keydown", { key: "+", bubbles: true }));
+      await pause(1500);
+      return [before, width()];
+    });
+    assert.ok(Math.abs(after * 1.25 - before) < 1e-6 * before, `${before} ${after}`);
+    await page.dblclick("#room-mesh svg");
+  });
+
   it("the stated distance to the nearest border of the shift chart agrees with the figure", async () => {
     // Regression: with a tip clearance of 0.25 modules, the page stated "0.230 modules from the nearest
     // border" for every design.

@@ -61,6 +61,7 @@ export class MeshView implements Tab {
   private frame: View["frame"] = "mesh";
   /** The window that the user has chosen by zooming or moving, mm. */
   private window: View["window"] = null;
+  private moves = 0; // how often the user has zoomed or moved the view
   private figure: Figure | undefined;
   /** Displacement of each axis from the centre of its circles in the figure, mm. */
   private shifts: [number, number][] = [
@@ -81,6 +82,7 @@ export class MeshView implements Tab {
       always: true,
       touch: true,
       home: () => this.restore(),
+      moved: () => ++this.moves,
       settled: () => this.takeWindow(),
     });
     new ResizeObserver(() => {
@@ -139,13 +141,13 @@ export class MeshView implements Tab {
     const [width, height] = this.measured();
     if (!bench.good || !width || !height) return;
     const { text } = bench.good;
-    const before = this.viewBox;
+    const { moves } = this;
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
       const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
       // If the user has moved the view in the meantime, this figure is not shown. The figure is
       // requested again when the view stops.
-      if (!figure || (view.window && this.viewBox !== before)) return;
+      if (!figure || this.moves !== moves) return;
       this.show(figure);
       this.drawn = text;
     } catch (reason) {
@@ -153,9 +155,6 @@ export class MeshView implements Tab {
       throw reason;
     }
     this.settle();
-  }
-  private get viewBox(): string | null | undefined {
-    return this.slot.element.querySelector("svg")?.getAttribute("viewBox");
   }
 
   private show(figure: Figure | undefined): void {
@@ -167,7 +166,8 @@ export class MeshView implements Tab {
     const moving = now - this.last < kRestMs;
     this.last = now;
     clearTimeout(this.rest);
-    if (moving) this.rest = window.setTimeout(() => this.figure && this.show(this.figure), kRestMs);
+    const { moves } = this;
+    if (moving) this.rest = window.setTimeout(() => this.moves === moves && this.show(this.figure), kRestMs);
     this.slot.show(figure, moving ? (nodes) => keepVisible(nodes, this.slot.plot, this.measured()) : undefined);
     const { plot } = this.slot;
     if (plot && !plot.querySelector(".touches"))
