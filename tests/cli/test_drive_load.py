@@ -1,5 +1,6 @@
 """Tests drives under load: load shares of the planets and K_γ, the loaded transmission error of a mesh
 compared with the verb load, and the errors for specs without a load."""
+import re
 import unittest
 
 from cli import SOURCE, Run
@@ -109,6 +110,11 @@ class Shares(unittest.TestCase):
         self.assertEqual({name: mesh["rating"] for name, mesh in plain.json["drive"]["meshes"].items()},
                          {name: mesh["rating"] for name, mesh in loaded.json["drive"]["meshes"].items()})
         self.assertIn("The rating uses K_γ = 1.100", Run("rate", text + rating + DRAFT).out)
+        page = (Run("run", text + rating + DRAFT, "--out", "o").folder / "o/report.html").read_text()
+        computed = loaded.json["drive"]["load"]["mesh_load_factor"]
+        self.assertIn(f"The most loaded planet carries {computed:.3f} times an equal share. The rating uses K_γ = 1.100.", page)
+        self.assertIn("<h2>Mesh planet_ring</h2>\n<p>Gear 1 is planet, gear 2 is ring.</p>",
+                      re.sub(r"<h2 [^>]*>", "<h2>", page))
 
     def test_a_greater_factor_than_the_rating_is_a_finding(self):
         """A pin that is 30 µm out of place unloads its planet, so the other two carry half of the load each: K_γ = 3/2."""
