@@ -5,6 +5,10 @@ import pathlib
 import subprocess
 import tempfile
 
+# A program that runs longer has stopped answering, s. QEMU needs about 20 times the time of the native program, and
+# other programs may use the same processors.
+LONGEST = 3600
+
 
 class Programs:
     def __init__(self, native, program, under):
@@ -19,7 +23,7 @@ class Programs:
             given.write(stdin or b"")
             given.seek(0)
             status = subprocess.run([*command, *map(str, arguments)], stdin=given, stdout=out, stderr=err, cwd=folder,
-                                    timeout=600, env=self.environment).returncode
+                                    timeout=LONGEST, env=self.environment).returncode
             out.seek(0)
             err.seek(0)
             return status, out.read(), err.read().decode(errors="replace")
