@@ -217,8 +217,9 @@ const KeyTable& scatter_gear_keys() {
       {toleranced<G>(
            "thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
            [](G & g) -> auto& { return g.thickness; },
-           "range of the normal tooth thickness of an involute gear; the thickness affects "
-           "the play and the mean of the transmission error [T14.13]"),
+           "range of a deviation of the normal tooth thickness of an involute gear, which is added "
+           "to the allowance of the gear; the thickness affects the play and the mean of the "
+           "transmission error [T14.13]"),
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},

@@ -137,15 +137,16 @@ FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Materi
         z[soft] = {1.0, formula, "1, because surface_hardness_HV of the softer gear is not given"};
         continue;
       }
-      const double hb = std::clamp(*hardness, 130.0, 470.0);
-      double rz = 3.0;
-      if (film.Rz && film.viscosity && film.velocity && *film.velocity > 0.0) {
-        const auto& r = *film.Rz;
-        rz = r[hard] * std::pow(10 / pitch_curvature(pair), 0.33) *
-             std::pow(r[hard] / r[soft], 0.66) /
-             std::pow(*film.velocity * *film.viscosity / 1500, 0.33);
-        rz = std::clamp(rz, 3.0, 16.0);
+      if (!film.Rz || !film.viscosity || !film.velocity || *film.velocity <= 0.0) {
+        z[soft] = {1.0, formula, "1, because viscosity, speed or flank roughness is not given"};
+        continue;
       }
+      const double hb = std::clamp(*hardness, 130.0, 470.0);
+      const auto& r = *film.Rz;
+      const double rz = std::clamp(r[hard] * std::pow(10 / pitch_curvature(pair), 0.33) *
+                                       std::pow(r[hard] / r[soft], 0.66) /
+                                       std::pow(*film.velocity * *film.viscosity / 1500, 0.33),
+                                   3.0, 16.0);
       z[soft] = {std::max(1.0, (1.2 - (hb - 130) / 1700) * std::pow(3 / rz, 0.15)), formula,
                  "through-hardened with surface-hardened"};
     } else if (soft == 1 && steel_without_hard_surface(materials[0]) && hardness &&

@@ -181,6 +181,15 @@ TEST(Rating, InternalReport) {
   EXPECT_NEAR(r.section[1].rho_F, 8.78, 5e-3);
   EXPECT_NEAR(r.section[1].h_F, 30.32, 1.1e-2);
   EXPECT_NEAR(r.section[1].alpha_Fen / kRadPerDeg, 18.63, 5e-3);
+  // R_zH of [T11.26] depends on all three inputs. Without one of them, Z_W is 1.
+  for (const auto forget : {+[](RatingInput& some) { some.viscosity.reset(); },
+                            +[](RatingInput& some) { some.flank_roughness.reset(); },
+                            +[](RatingInput& some) { some.speed.reset(); }}) {
+    RatingInput some = in;
+    forget(some);
+    some.dynamic_factor = r.K_v.value;
+    expect_both(rate(pair, some).value().Z_W, 1.0, 1.0, 0);
+  }
 }
 
 // ISO/TR 6336-30:2017, example 1.

@@ -21,8 +21,9 @@ constexpr const char* kUnitsKey = "units";
 constexpr std::array<std::string_view, 1> kMixed{"scatter.robust.range"};
 
 // The members of a record that are sentences.
-constexpr std::array<std::string_view, 8> kSentences{
-    "message", "headline", "remedy", "reason", "note", "errors", "branch", "safest_finding"};
+constexpr std::array<std::string_view, 9> kSentences{"message", "headline",       "remedy",
+                                                     "reason",  "note",           "errors",
+                                                     "branch",  "safest_finding", "amounts"};
 
 template <class List>
 bool is_one_of(const List& list, std::string_view word) {

@@ -94,15 +94,28 @@ def numbers(answer, path=(), factor=1.0, per=1.0, inch=False):
     return found
 
 
+def metric_texts(answer, path=()):
+    """Returns the texts of an answer in inch, with their paths, that contain a length in mm or µm. Titles and specs are
+    words of the user, and a module stays in mm."""
+    if isinstance(answer, dict):
+        return [found for key, value in answer.items() if key not in ("spec", "title", "name", "module")
+                for found in metric_texts(value, (*path, key))]
+    if isinstance(answer, list):
+        return [found for i, value in enumerate(answer) for found in metric_texts(value, (*path, i))]
+    metric = isinstance(answer, str) and re.search(r"\d (mm|µm)\b", re.sub(r"[Mm]odules? (of )?[\d.]+ mm", "", answer))
+    return [(path, answer)] if metric else []
+
+
 def differences(mm, inch, tolerance=1e-12):
-    """Returns the paths at which the numbers of two answers differ by more than the tolerance. The
-    tolerance is relative for numbers above 1e-3, and absolute for smaller numbers. The specs of
+    """Returns the paths at which the numbers of two answers differ by more than the tolerance, and those of texts in mm.
+    The tolerance is relative for numbers above 1e-3, and absolute for smaller numbers. The specs of
     identified gears have six decimals of their own unit."""
+    texts = metric_texts(inch)
     a, b = numbers(mm), numbers(inch, inch=True)
     far = [(p, a[p], b[p]) for p in a.keys() & b.keys()
            if abs(a[p] - b[p]) > (1e-6 if {"candidates", "spec"} <= set(p) else
                                   tolerance * max(abs(a[p]), abs(b[p]), 1e-3))]
-    return far + [(p, a.get(p), b.get(p)) for p in a.keys() ^ b.keys()]
+    return far + [(p, a.get(p), b.get(p)) for p in a.keys() ^ b.keys()] + texts
 
 
 def csv_differences(mm, inch, tolerance=1e-12):
