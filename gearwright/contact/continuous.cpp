@@ -18,6 +18,28 @@ constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extre
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
 // Touches on different crests are farther apart than this fraction of the patch.
 constexpr double kNear = 0.08;
+
+// A bracket of a root, narrowed by the Illinois method: a secant, for which the value at an end that
+// is kept twice in succession is halved. If an end is kept a third time, for example because the
+// function has a kink or a jump at its root, the bracket is bisected.
+struct Bracket {
+  double lo, at_lo, hi, at_hi;
+  int kept = 0;  // how often hi (positive) or lo (negative) has been kept in succession
+
+  double next() const {
+    if (std::abs(kept) > 2) return 0.5 * (lo + hi);
+    return lo + (hi - lo) * at_lo / (at_lo - at_hi);
+  }
+  // Replaces one end by the evaluation at t.
+  void narrow(double t, double value) {
+    const bool low = (value > 0.0) == (at_lo > 0.0);
+    (low ? lo : hi) = t;
+    (low ? at_lo : at_hi) = value;
+    kept = low ? std::max(kept, 0) + 1 : std::min(kept, 0) - 1;
+    if (std::abs(kept) > 1) (low ? at_hi : at_lo) *= 0.5;
+  }
+};
+
 // The curve of TE between the positions. A branch (continuous.hpp) leads at a rotation if its T is
 // the greatest there. The curve is computed from the branches that lead at the positions.
 class Branches {
@@ -102,19 +124,18 @@ class Branches {
     const auto end = at_both(hi);
     const auto ahead_at_lo = ahead_in(begin), ahead_at_hi = ahead_in(end);
     if (!ahead_at_lo || !ahead_at_hi) return std::nullopt;
-    double at_lo = *ahead_at_lo, at_hi = *ahead_at_hi;
     // TE jumps if a branch begins or ends with a T greater than that of the other branch. The least
     // TE is then the value on the low side of the jump.
-    if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
-    if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
-    int stays = 0;
+    if (*ahead_at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
+    if (*ahead_at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
+    Bracket bracket{lo, *ahead_at_lo, hi, *ahead_at_hi};
     for (int k = 0; k < kMaxSteps; ++k) {
-      const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
+      const double t = bracket.next();
       both = at_both(t);
       const auto ahead = ahead_in(both);
       if (!ahead) return std::nullopt;
       if (std::abs(*ahead) < kFlat || k + 1 == kMaxSteps) return Handover{t, both};
-      narrow(*ahead > 0.0, t, *ahead, lo, at_lo, hi, at_hi, stays);
+      bracket.narrow(t, *ahead);
     }
     return std::nullopt;
   }
@@ -178,33 +199,31 @@ class Branches {
   }
   // A maximum or minimum of the branch of a touch, within `width` steps of the touch.
   std::optional<PairTouch> turning_point(const PairTouch& here, double width, bool up) const {
-    double lo = 0.0;
-    double at_lo = slope(here);
+    const double at_lo = slope(here);
     if (!(std::abs(at_lo) > 0.0)) return std::nullopt;
     const double way = (at_lo > 0.0) == up ? width : -width;
-    double hi = way * reach(here, way);
+    const double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
     // reach() followed the branch to its end in small steps. A search that goes to this end in a
     // single step may lose the branch.
     if (!end.found()) return std::nullopt;
-    double at_hi = slope(end);
+    const double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
       // If the slope has no root, the branch may be greatest at the point where it begins or ends.
       return up && std::abs(hi) < width ? std::optional(end) : std::nullopt;
     }
     PairTouch best = here;
     PairTouch turn = here;
-    int stays = 0;
+    Bracket bracket{0.0, at_lo, hi, at_hi};
     for (int k = 0; k < kMaxSteps; ++k) {
-      const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
+      const double t = bracket.next();
       turn = moved(here, t, turn);
       if (!turn.found()) return std::nullopt;
       if (up ? turn.te() > best.te() : turn.te() < best.te()) best = turn;
       const double at_turn = slope(turn);
-      const bool low = (at_turn > 0.0) == (at_lo > 0.0);
+      bracket.narrow(t, at_turn);
       // Stop if the change of T up to the other end of the bracket is negligible.
-      if (std::abs(at_turn * ((low ? hi : lo) - t)) < kFlat) break;
-      narrow(low, t, at_turn, lo, at_lo, hi, at_hi, stays);
+      if (std::abs(at_turn * (bracket.hi - bracket.lo)) < kFlat) break;
     }
     return best;
   }
@@ -218,16 +237,6 @@ class Branches {
   // Slope of T, rad per step.
   double slope(const PairTouch& touch) const {
     return step_ * rotation_slope(transmission_, touch);
-  }
-  // Narrows the bracket of a root after the evaluation at t. If the same end of the bracket is kept
-  // twice in succession, the value at this end is halved (Illinois method).
-  static void narrow(bool low, double t, double value, double& lo, double& at_lo, double& hi,
-                     double& at_hi, int& stays) {
-    (low ? lo : hi) = t;
-    (low ? at_lo : at_hi) = value;
-    const int stayed = low ? 1 : -1;
-    if (stays == stayed) (low ? at_hi : at_lo) *= 0.5;
-    stays = stayed;
   }
 
   Transmission& transmission_;

@@ -81,6 +81,20 @@ TEST(Continuous, DoesNotDependOnThePositions) {
   EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
 }
 
+// On crossed crowned spur gears, the greatest TE is where the contact leaves the tip edge. The slope
+// of T jumps there.
+TEST(Continuous, KinksDoNotDependOnThePositions) {
+  FlankModifications crowned;
+  crowned.lead_crowning = 0.008;
+  for (const auto [z1, z2] : {std::pair{17, 43}, {18, 38}, {23, 61}}) {
+    auto sample = testing::involutes(z1, z2, 0);
+    sample.modify(1, crowned);
+    sample.place.errors = {.crossing = Angle::degrees(0.03)};
+    const ContactPair pair = sample.pair();
+    EXPECT_NEAR(continuous(pair, 32), continuous(pair, 1000), 3e-12) << z1;
+  }
+}
+
 TEST(Continuous, SlopesAreThoseOfDifferences) {
   // (3) span_slope() is compared with central differences of the span, for three kinds of error and
   // for lead crowning.
