@@ -53,8 +53,8 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const Safeties& wanted
     made.judged.contact = &c.judged();
   }
   if (!drive.ratings.empty() && drive.ratings[m]) {
-    const MeshRating& r = *drive.ratings[m];
-    made.judged.rating = JudgedRating{&r.pair, &r.input, &r.rating, wanted};
+    made.judged.rating = *drive.ratings[m];
+    made.judged.rating->wanted = wanted;
   }
   return made;
 }

@@ -201,7 +201,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       if (!gear(which).bore) return std::nullopt;
       // If the rim thickness is given for the rating, another bore does not change it.
       if (finding.code == C::thin_rim && judged.rating &&
-          judged.rating->input->rim[static_cast<std::size_t>(which - 1)])
+          judged.rating->input.rim[static_cast<std::size_t>(which - 1)])
         return std::nullopt;
       lever.now = gear(which).bore->diameter;
       lever.direction *= static_cast<int>(outward);

@@ -122,8 +122,8 @@ std::string gears_alone(const Judged& judged) {
 
 // Returns the sentence about the safety factors, which are those under the load spectrum if there
 // is one.
-std::string safety_sentence(const JudgedRating& judged) {
-  if (!judged.spectrum) return safety_words({judged.rating});
+std::string safety_sentence(const PairRating& judged) {
+  if (!judged.spectrum) return safety_words({&judged.rating});
   const SpectrumRating& s = *judged.spectrum;
   return fmt::format(
       " Under the load spectrum, the lowest safety factor is {:.2f} against pitting and {:.2f} "

@@ -106,16 +106,6 @@ constexpr double kCentralPlace = 0.7;
 /// remain after a remedy that centres the contact.
 constexpr double kMiddlePlace = 0.1;
 
-/// A rating, with the inputs that are needed to rate the gears again for a remedy.
-struct JudgedRating {
-  const RatedPair* pair = nullptr;
-  const RatingInput* input = nullptr;
-  const Rating* rating = nullptr;
-  Safeties wanted{};
-  const SpectrumRating* spectrum = nullptr;  ///< null without a load spectrum
-  std::vector<LoadBin> steps{};              ///< of the spectrum
-};
-
 /// The data for a verdict. Its pointers must stay valid while a function below uses the data.
 struct Judged {
   std::vector<const Gear*> gears;  ///< one or two gears; the gears of `pair`, if it is set
@@ -134,7 +124,7 @@ struct Judged {
                             ///< ends
   std::optional<std::array<double, 2>> backlash_ends{};  ///< least and greatest j_n  mm, within the
                                                          ///< tolerances
-  std::optional<JudgedRating> rating{};                  ///< none if not computed
+  std::optional<PairRating> rating{};                    ///< none if not computed
 };
 
 /// True for a finding about a safety factor that is less than required.
