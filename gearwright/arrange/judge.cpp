@@ -300,11 +300,6 @@ bool rejects_design(const Finding& finding) {
   return finding.level != Level::green && finding.code != WarningCode::rating_plastic;
 }
 
-// True if a verdict lists `a` before `b`.
-bool is_before(const Finding& a, const Finding& b) {
-  return a.level != b.level ? a.level > b.level : a.code < b.code;
-}
-
 // Adds the rating of the drawing to `with`, and its limits to the warnings. Returns false if the
 // drawing cannot be rated.
 bool add_rating(const SearchProblem& problem, Arranged& arranged, JudgedWith& with) {
@@ -335,7 +330,7 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
       if (!rejects_design(finding)) continue;
       drawn.runs = false;
       wider_helps = wider_helps && is_safety(finding.code);
-      if (!worst || is_before(finding, *worst)) worst = finding;
+      if (!worst || is_listed_before(finding, *worst)) worst = finding;
     }
     if (state.pair) drawn.at_ends.push_back(*state.pair);
     return drawn.runs || wider_helps;
@@ -354,7 +349,7 @@ Result<std::optional<Finding>> finding_of_drawing(const SearchProblem& problem,
   std::optional<Finding> worst;
   if (!add_rating(problem, arranged, with)) return worst;
   for (Finding& finding : findings_within_tolerances(arranged, with))
-    if (rejects_design(finding) && (!worst || is_before(finding, *worst)))
+    if (rejects_design(finding) && (!worst || is_listed_before(finding, *worst)))
       worst = std::move(finding);
   return worst;
 }

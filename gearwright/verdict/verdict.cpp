@@ -352,19 +352,12 @@ std::optional<PatternPlace> pattern_place(const Judged& judged) {
   return place;
 }
 
-namespace {
-
-// True if `a` is listed before `b`. The more severe finding comes first. Findings of the same level
-// are in the order of WarningCode, with two exceptions. Green findings keep their order. Findings
-// about safety factors also keep their order, because rating_findings() has already sorted them.
-bool before(const Finding& a, const Finding& b) {
+bool is_listed_before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;
   if (is_safety(a.code) && is_safety(b.code)) return false;
   return a.code < b.code;
 }
-
-}  // namespace
 
 bool worse(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
@@ -375,7 +368,7 @@ Verdict verdict_of(const Judged& judged, std::vector<Finding> findings, const Tr
   GW_EXPECTS(!judged.gears.empty());
   Verdict verdict;
   verdict.findings = std::move(findings);
-  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), before);
+  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), is_listed_before);
   if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
   detail::add_remedies(verdict.findings, judged, attempt);
   verdict.headline = headline(judged, verdict);

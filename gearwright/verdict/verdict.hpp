@@ -168,6 +168,14 @@ using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, T
 /// Domain    one or two gears; `warnings` is set (contract)
 std::vector<Finding> findings_of(const Judged& judged);
 
+/// True if a verdict lists `a` before `b`. The more severe finding comes first. Findings of the same
+/// level are in the order of WarningCode, with two exceptions. Green findings keep their order.
+/// Findings about safety factors also keep their order, because findings_of() has already sorted
+/// them.
+///
+/// Law       a strict weak order
+bool is_listed_before(const Finding& a, const Finding& b);
+
 /// True if `a` is worse than `b`, which means that its level is more severe or, for equal
 /// levels, that its first value is less. Both findings must have the same code and gear.
 bool worse(const Finding& a, const Finding& b);
