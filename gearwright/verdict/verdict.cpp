@@ -207,10 +207,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   }
   if (verdict.level == Level::green) return standing(judged);
   if (verdict.level == Level::red) return not_running(judged, verdict) + besides(judged, verdict);
-  const Finding& worst = verdict.findings.front();
-  const bool unnamed = worst.gear > 0 && worst.at.empty() && meaning_of(worst.code).gear_unnamed;
-  const std::string where = unnamed ? fmt::format("Gear {}: ", worst.gear) : "";
-  return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(),
+  return fmt::format("{} Check: {}{}", standing(judged), verdict.findings.front().named(),
                      besides(judged, verdict));
 }
 
@@ -290,6 +287,11 @@ std::string safety_words(const std::vector<const Rating*>& ratings) {
 std::string Finding::whole() const {
   std::string text = at.empty() ? message : fmt::format("{}: {}", at, message);
   return remedy.empty() ? text : text + " " + remedy;
+}
+
+std::string Finding::named() const {
+  const bool unnamed = gear > 0 && at.empty() && meaning_of(code).gear_unnamed;
+  return unnamed ? fmt::format("Gear {}: {}", gear, whole()) : whole();
 }
 
 std::vector<Finding> findings_of(const Judged& judged) {

@@ -84,6 +84,8 @@ struct Finding {
   /// Returns the tolerance ends at which the finding occurs, the message and the remedy, in this
   /// order. Empty parts are omitted.
   std::string whole() const;
+  /// Returns whole(), preceded by "Gear 1: " or "Gear 2: " if no part of it names the gear.
+  std::string named() const;
 };
 
 struct Verdict {
