@@ -268,7 +268,7 @@ std::optional<PairRating> rate_drawing(const SearchProblem& problem, const Arran
   return rated;
 }
 
-GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
+GivenPair given_drawing(const SearchProblem& problem, const DesignRow& row) {
   GivenPair given;
   for (const std::size_t i : {0, 1}) {
     CylindricalSpec spec;
@@ -300,32 +300,39 @@ bool rejects_design(const Finding& finding) {
   return finding.level != Level::green && finding.code != WarningCode::rating_plastic;
 }
 
-// Adds the rating of the drawing to `with`, and its limits to the warnings. Returns false if the
-// drawing cannot be rated.
-bool add_rating(const SearchProblem& problem, Arranged& arranged, JudgedWith& with) {
-  if (!problem.rating) return true;
-  with.rating = rate_drawing(problem, arranged);
-  if (!with.rating) return false;
-  for (const Warning& limit : with.rating->rating.limits) arranged.warnings.push_back(limit);
-  return true;
+// The pair of a drawing with its rating. The limits of the rating are among the warnings.
+struct DrawnPair {
+  Arranged arranged;
+  JudgedWith with{};
+  bool ratable = true;  ///< false if a rating was requested but is not possible
+};
+
+Result<DrawnPair> drawing_of(const SearchProblem& problem, const DesignRow& row) {
+  auto made = arrange(given_drawing(problem, row), Scope::pair);
+  if (!made) return made.error();
+  DrawnPair drawing{std::move(made).take()};
+  if (!problem.rating) return drawing;
+  auto& rating = drawing.with.rating = rate_drawing(problem, drawing.arranged);
+  drawing.ratable = rating.has_value();
+  if (rating)
+    for (const Warning& limit : rating->rating.limits) drawing.arranged.warnings.push_back(limit);
+  return drawing;
 }
 
 }  // namespace
 
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
-  auto made = arrange(drawing_of(problem, row), Scope::pair);
-  if (!made) return {};
-  Arranged arranged = std::move(made).take();
+  const auto drawing = drawing_of(problem, row);
+  if (!drawing) return {};
   DrawnDesign drawn;
-  if (arranged.ends)
-    drawn.backlash = {arranged.ends->upper.pair->stated_backlash().normal,
-                      arranged.ends->lower.pair->stated_backlash().normal};
-  JudgedWith with;
-  if (!add_rating(problem, arranged, with)) return drawn;
+  if (const auto& ends = drawing->arranged.ends)
+    drawn.backlash = {ends->upper.pair->stated_backlash().normal,
+                      ends->lower.pair->stated_backlash().normal};
+  if (!drawing->ratable) return drawn;
   drawn.runs = true;
   bool wider_helps = problem.sizes_faces();
   std::optional<Finding> worst;
-  visit_states(arranged, with, [&](const JudgedState& state) {
+  visit_states(drawing->arranged, drawing->with, [&](const JudgedState& state) {
     for (const Finding& finding : state.findings) {
       if (!rejects_design(finding)) continue;
       drawn.runs = false;
@@ -342,13 +349,11 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
 
 Result<std::optional<Finding>> finding_of_drawing(const SearchProblem& problem,
                                                   const DesignRow& row) {
-  auto made = arrange(drawing_of(problem, row), Scope::pair);
-  if (!made) return made.error();
-  Arranged arranged = std::move(made).take();
-  JudgedWith with;
+  const auto drawing = drawing_of(problem, row);
+  if (!drawing) return drawing.error();
   std::optional<Finding> worst;
-  if (!add_rating(problem, arranged, with)) return worst;
-  for (Finding& finding : findings_within_tolerances(arranged, with))
+  if (!drawing->ratable) return worst;
+  for (Finding& finding : findings_within_tolerances(drawing->arranged, drawing->with))
     if (rejects_design(finding) && (!worst || is_listed_before(finding, *worst)))
       worst = std::move(finding);
   return worst;
