@@ -188,7 +188,7 @@ struct GivenPair {
 
   /// Returns gear 1 or 2, or null if this gear is not given.
   GearInput* find(int which) {
-    auto& gear = gears[static_cast<std::size_t>(which - 1)];
+    auto& gear = gears[which - 1];
     return gear ? &*gear : nullptr;
   }
   const GearInput* find(int which) const { return const_cast<GivenPair&>(*this).find(which); }

@@ -328,7 +328,7 @@ DataGroup mate(const SolvedJob& job, int which, const std::string& number_of_mat
 
 std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
                                          const std::string& number_of_mate) {
-  const auto i = static_cast<std::size_t>(which - 1);
+  const std::size_t i = which - 1;
   const GearInput& input = *job.completed.gears[i];
   const UnitSystem units = job.spec.units();
   Records gear{gear_quantities().of(job.gears[i]), units};

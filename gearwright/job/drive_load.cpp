@@ -75,7 +75,7 @@ void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
   for (const Warning& w : warnings) {
     if (w.code != WarningCode::held_at_rim_as_drawn && w.code != WarningCode::held_at_half_the_root)
       continue;
-    const auto side = static_cast<std::size_t>(w.gear - 1);
+    const std::size_t side = w.gear - 1;
     const std::size_t gear = drive.graph.meshes[mesh].gears[side];
     if (has_earlier_mesh(drive, gear, mesh)) continue;
     drive.findings.push_back(held_without_bore(drive.graph.gears[gear].name, w.code,

@@ -202,7 +202,7 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
     const Gear& gear = job.pair->gear(which);
     const std::string name = gear_field(which);
     if (auto error = not_in_rexs(gear, name)) return *error;
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     shafts[i] = writer.shaft("shaft " + std::to_string(which));
     gears[i] = writer.gear(gear, name, shafts[i], job.spec.gear(which).modifications);
   }

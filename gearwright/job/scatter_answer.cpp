@@ -41,7 +41,7 @@ class Grades {
   std::optional<Error> add() {
     const ScatterInput& input = job_.spec.scatter;
     for (const int which : {1, 2}) {
-      const auto i = static_cast<std::size_t>(which - 1);
+      const std::size_t i = which - 1;
       const ToleranceInput& own = job_.completed.gear(which).tolerance;
       const std::optional<int> quality =
           input.quality ? std::optional((*input.quality)[i]) : own.quality;

@@ -63,7 +63,7 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   std::vector<Finding> findings;
   const double m = pair.gear(1).spec.normal_module;
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     if (!runs_on_root(pair, which))
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
@@ -176,7 +176,7 @@ std::vector<Finding> rating_findings(const PairRating& rating) {
          {{"safety", safety, false}, {"wanted", wanted, false}}});
   };
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     if (!rating.spectrum) {
       judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
       judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);

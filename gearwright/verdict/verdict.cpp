@@ -215,7 +215,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
 // The list is empty if the warning refers to no such value.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
-    const Gear& gear = *judged.gears[static_cast<std::size_t>(w.gear - 1)];
+    const Gear& gear = *judged.gears[w.gear - 1];
     const auto& s_an = gear.tip_tooth_thickness_normal;
     // If the cutter of the gear is pointed, the tip of the gear is not.
     if (s_an && (gear.pointed() || w.code == WarningCode::thin_tip))
