@@ -366,10 +366,7 @@ Result<ScatterAnswer> prepared_scatter(const SolvedJob& job) {
   if (!made) return made.error();
   ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
-  VariedInputs inputs = std::move(varied).take();
-  task.tolerances = std::move(inputs.tolerances);
-  task.correlations = std::move(inputs.correlations);
-  task.groups = std::move(inputs.groups);
+  static_cast<VariedInputs&>(task) = std::move(varied).take();
   const ContactInput& contact = job.spec.contact;
   task.member = {
       job.spec.given.contains("contact.positions") ? contact.positions : kScatterPositions,
