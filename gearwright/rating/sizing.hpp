@@ -23,6 +23,8 @@ struct Safeties {
   double flank = 1.0, root = 1.0;
 };
 
+bool holds(const Safeties& found, const Safeties& wanted);
+
 /// A rating, with all inputs that are needed to rate the gears again.
 struct PairRating {
   RatedPair pair{};
