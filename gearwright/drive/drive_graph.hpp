@@ -59,9 +59,9 @@ struct DriveGear {
                                         ///< is then v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
-  std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
-  std::optional<Bore> bore{};                         ///< bore of the gear body, or rim of a ring
-  std::optional<DoubleHelical> double_helical{};      ///< if set, b in `spec` includes the gap
+  BothFlanks modifications{};           ///< right flank, left flank
+  std::optional<Bore> bore{};           ///< bore of the gear body, or rim of a ring
+  std::optional<DoubleHelical> double_helical{};  ///< if set, b in `spec` includes the gap
 
   bool is_ring() const { return teeth < 0; }
   double side() const { return side_of(teeth); }  ///< σ  +1 external, −1 ring

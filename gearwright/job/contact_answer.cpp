@@ -240,8 +240,7 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
 ContactOptions rack_options(const SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
   ContactOptions options;
-  const auto& flanks = job.completed.gear(1).modifications;
-  options.modifications[0] = {flanks[0], flanks[1]};
+  options.modifications[0] = job.completed.gear(1).modifications;
   options.gear2_drives = input.driver == 2;
   options.request = input;
   for (const NamedInfluence& i : influences_of(job))

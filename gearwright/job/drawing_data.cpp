@@ -240,8 +240,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
 }
 
 // Both halves of a double-helical gear are mirror images, so the rows describe both.
-DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
-                        UnitSystem units) {
+DataGroup modifications(const BothFlanks& flanks, bool halves, UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};
   bool one_sided = false, slope = false;
   for (const ModificationEntry& entry : modification_entries()) {

@@ -42,7 +42,7 @@ class Writer {
 
   /// Adds a gear on a shaft, with its flanks and its tool. Returns the id of the gear.
   std::string gear(const Gear& gear, const std::string& name, const std::string& shaft,
-                   const std::array<FlankModifications, 2>& modifications) {
+                   const BothFlanks& modifications) {
     const CylindricalSpec& s = gear.spec;
     const std::string id = add(gear.internal() ? "ring_gear" : "cylindrical_gear", name);
     RexsComponent& g = last();
