@@ -99,9 +99,7 @@ struct GearValue {
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gear(which); }
   /// Returns the halves of a double-helical gear. gear() returns one of these halves.
-  const std::optional<Halves>& halves() const {
-    return model->job.halves[static_cast<std::size_t>(which - 1)];
-  }
+  const std::optional<Halves>& halves() const { return model->job.halves[which - 1]; }
   /// Returns the table of the gear in the spec, with the values that gear 2 inherits. If the gear
   /// belongs to a pair, the table contains the computed profile shift. A table in inch begins with
   /// the key `units`.

@@ -11,7 +11,6 @@
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/output_file.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/cad/figure_files.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
@@ -38,8 +37,8 @@ const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 // Returns a frame with a picture. If the notebook permits scripts, the frame is as high as its
 // content. Otherwise it scrolls.
 std::string framed(const std::string& title, const std::string& body) {
-  const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
-                           body + "</main>\n</body>\n</html>\n";
+  const std::string page = page_head(title, "body{padding:.5em 0}") + "<body>\n<main>\n" + body +
+                           "</main>\n</body>\n</html>\n";
   return fmt::format(
       "<iframe title=\"{}\" style=\"width:100%;height:30em;border:0\" onload=\"this.style.height="
       "this.contentDocument.documentElement.scrollHeight+'px'\" srcdoc=\"{}\"></iframe>",
@@ -177,7 +176,6 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
   input.verdict = judge(job, {.contact = part ? &part->answer.judged() : nullptr});
   input.spec_text = source.job.spec.text;
   input.units = source.job.spec.units();
-  input.version = kVersion;
   return report_html(input);
 }
 

@@ -179,7 +179,7 @@ Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
     if (auto error = place_clear_tips(given, made, a)) return *error;
   }
   for (int which = 1; which <= (two ? 2 : 1); ++which) {
-    auto& cut = made[static_cast<std::size_t>(which - 1)];
+    auto& cut = made[which - 1];
     auto gear = cut ? Result<Gear>(*std::move(cut)) : make_given_gear(given, which, *clear_tips);
     if (!gear) return gear.error();
     arranged.gears.push_back(std::move(gear).take());

@@ -32,7 +32,7 @@ struct Arranged {
   /// Returns gear 1 or 2.   Domain  this gear exists (contract)
   const Gear& gear(int which) const {
     GW_EXPECTS(which >= 1 && which <= static_cast<int>(gears.size()));
-    return gears[static_cast<std::size_t>(which - 1)];
+    return gears[which - 1];
   }
   /// True if gear 1 is mounted with another gear or with a rack.
   bool mounted() const { return pair || rack; }

@@ -219,7 +219,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
     if (!cutter) return of_given_gear(within("cut_by", cutter.error()), given, which);
     own = std::move(cutter).take();
   }
-  const Gear& cutter = own ? *own : *made[static_cast<std::size_t>(cut.gear - 1)];
+  const Gear& cutter = own ? *own : *made[cut.gear - 1];
   if (!cutter.exists()) {
     return Error{gear_field(which, "cut_by"), "",
                  "the cutter is not a possible gear. " + cutter.warnings.back().message};
@@ -250,7 +250,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
         "the centre distance is also the generating distance of the cut gear: " + error.rule};
   }
   if (auto error = check_agreement(gear, *result, which)) return error;
-  Gear& cut_gear = made[static_cast<std::size_t>(which - 1)].emplace(std::move(result).take());
+  Gear& cut_gear = made[which - 1].emplace(std::move(result).take());
   note_default_tip(cut_gear, gear);
   if (own) {
     note_cutter_tip(cut_gear, *own);
@@ -299,7 +299,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
     gear.shift_given = true;
     auto cutter = make_gear(gear.cylindrical);
     if (!cutter) return of_given_gear(cutter.error(), given, which);
-    made[static_cast<std::size_t>(which - 1)] = std::move(cutter).take();
+    made[which - 1] = std::move(cutter).take();
   }
   return std::nullopt;
 }

@@ -17,10 +17,6 @@ bool has_gears(const Drive& drive) {
       [](const GeometryFault& f) { return f.kind == GeometryFault::Kind::not_coaxial; });
 }
 
-bool holds(const Safeties& own, const Safeties& required) {
-  return own.flank >= required.flank && own.root >= required.root;
-}
-
 bool is_safe(const Drive& drive, const Safeties& required) {
   const auto holds = [&](FactorPair Rating::*safety, double least) {
     const auto own = least_safety(drive, safety);

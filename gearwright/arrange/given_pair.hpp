@@ -128,7 +128,7 @@ struct GearInput {
   std::optional<DoubleHelical> double_helical;
   MaterialInput material;
   std::optional<Shaft> shaft;
-  std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
+  BothFlanks modifications;  ///< right flank, left flank
 
   /// Returns the input for a gear with a complete spec. Only the face width may be absent, which is
   /// indicated by the value 0. To have the profile shift computed by arrange(), the caller sets
@@ -188,7 +188,7 @@ struct GivenPair {
 
   /// Returns gear 1 or 2, or null if this gear is not given.
   GearInput* find(int which) {
-    auto& gear = gears[static_cast<std::size_t>(which - 1)];
+    auto& gear = gears[which - 1];
     return gear ? &*gear : nullptr;
   }
   const GearInput* find(int which) const { return const_cast<GivenPair&>(*this).find(which); }

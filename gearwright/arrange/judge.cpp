@@ -38,27 +38,23 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The gears at one combination of the ends of their tolerances, rated under the load of the
-// nominal gears.
-struct RatedAgain {
-  RatedPair pair;
-  Rating rating;
-  std::optional<SpectrumRating> spectrum{};
-};
-std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRating& nominal) {
+// Rates the gears at one combination of the ends of their tolerances, under the load of the nominal
+// gears.
+std::optional<PairRating> rated_again(const Arranged& arranged, PairRating gears) {
   auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
-  RatedPair again = std::move(pair).take();
-  again.halves = nominal.pair->halves;
-  auto rating = rate(again, *nominal.input);
+  const int halves = gears.pair.halves;
+  gears.pair = std::move(pair).take();
+  gears.pair.halves = halves;
+  auto rating = rate(gears.pair, gears.input);
   if (!rating) return std::nullopt;
-  RatedAgain made{std::move(again), std::move(rating).take()};
-  if (nominal.spectrum) {
-    const auto spectrum = rate_spectrum(made.pair, *nominal.input, nominal.steps);
+  gears.rating = std::move(rating).take();
+  if (gears.spectrum) {
+    const auto spectrum = rate_spectrum(gears.pair, gears.input, gears.steps);
     if (!spectrum) return std::nullopt;
-    made.spectrum = *spectrum;
+    gears.spectrum = *spectrum;
   }
-  return made;
+  return gears;
 }
 
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
@@ -66,18 +62,10 @@ JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumbe
   const auto there = at_corner(arranged, tolerances, corner);
   // The gears may have no pair at a corner even if they have one at both ends.
   if (!there) return {};
-  JudgedWith of_there;
-  const auto rated = with.rating ? rated_again(*there, *with.rating) : std::nullopt;
-  if (rated)
-    of_there.rating = JudgedRating{.pair = &rated->pair,
-                                   .input = with.rating->input,
-                                   .rating = &rated->rating,
-                                   .wanted = with.rating->wanted,
-                                   .spectrum = rated->spectrum ? &*rated->spectrum : nullptr,
-                                   .steps = with.rating->steps};
-  of_there.errors = with.errors;
+  JudgedWith of_there{.errors = with.errors};
+  if (with.rating) of_there.rating = rated_again(*there, *with.rating);
   JudgedState state{findings_of(judged_of(*there, of_there)), {}};
-  if (rated) state.pair = rated->pair;
+  if (of_there.rating) state.pair = std::move(of_there.rating->pair);
   return state;
 }
 
@@ -266,18 +254,11 @@ Verdict judge(const Arranged& arranged, const JudgedWith& with) {
 
 namespace {
 
-struct RatedDrawing {
-  RatedPair pair;
-  RatingInput input;
-  Rating rating;
-  Safeties wanted;
-};
-
-std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arranged& arranged) {
+std::optional<PairRating> rate_drawing(const SearchProblem& problem, const Arranged& arranged) {
   const SearchRating& asked = *problem.rating;
   const auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
-  RatedDrawing rated{*pair, asked.input, {}, {}};
+  PairRating rated{*pair, asked.input};
   if (asked.web) rated.input.body = rated_body(*pair, *asked.web, *asked.rim);
   auto rating = rate(rated.pair, rated.input);
   if (!rating) return std::nullopt;
@@ -287,7 +268,7 @@ std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arr
   return rated;
 }
 
-GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
+GivenPair given_drawing(const SearchProblem& problem, const DesignRow& row) {
   GivenPair given;
   for (const std::size_t i : {0, 1}) {
     CylindricalSpec spec;
@@ -319,45 +300,44 @@ bool rejects_design(const Finding& finding) {
   return finding.level != Level::green && finding.code != WarningCode::rating_plastic;
 }
 
-// True if a verdict lists `a` before `b`.
-bool is_before(const Finding& a, const Finding& b) {
-  return a.level != b.level ? a.level > b.level : a.code < b.code;
-}
+// The pair of a drawing with its rating. The limits of the rating are among the warnings.
+struct DrawnPair {
+  Arranged arranged;
+  JudgedWith with{};
+  bool ratable = true;  ///< false if a rating was requested but is not possible
+};
 
-// Adds the rating of the drawing to `with`, and its limits to the warnings. Returns false if the
-// drawing cannot be rated. `rated` must outlive `with`.
-bool add_rating(const SearchProblem& problem, Arranged& arranged,
-                std::optional<RatedDrawing>& rated, JudgedWith& with) {
-  if (!problem.rating) return true;
-  rated = rate_drawing(problem, arranged);
-  if (!rated) return false;
-  with.rating = JudgedRating{&rated->pair, &rated->input, &rated->rating, rated->wanted};
-  for (const Warning& limit : rated->rating.limits) arranged.warnings.push_back(limit);
-  return true;
+Result<DrawnPair> drawing_of(const SearchProblem& problem, const DesignRow& row) {
+  auto made = arrange(given_drawing(problem, row), Scope::pair);
+  if (!made) return made.error();
+  DrawnPair drawing{std::move(made).take()};
+  if (!problem.rating) return drawing;
+  auto& rating = drawing.with.rating = rate_drawing(problem, drawing.arranged);
+  drawing.ratable = rating.has_value();
+  if (rating)
+    for (const Warning& limit : rating->rating.limits) drawing.arranged.warnings.push_back(limit);
+  return drawing;
 }
 
 }  // namespace
 
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
-  auto made = arrange(drawing_of(problem, row), Scope::pair);
-  if (!made) return {};
-  Arranged arranged = std::move(made).take();
+  const auto drawing = drawing_of(problem, row);
+  if (!drawing) return {};
   DrawnDesign drawn;
-  if (arranged.ends)
-    drawn.backlash = {arranged.ends->upper.pair->stated_backlash().normal,
-                      arranged.ends->lower.pair->stated_backlash().normal};
-  JudgedWith with;
-  std::optional<RatedDrawing> rated;
-  if (!add_rating(problem, arranged, rated, with)) return drawn;
+  if (const auto& ends = drawing->arranged.ends)
+    drawn.backlash = {ends->upper.pair->stated_backlash().normal,
+                      ends->lower.pair->stated_backlash().normal};
+  if (!drawing->ratable) return drawn;
   drawn.runs = true;
   bool wider_helps = problem.sizes_faces();
   std::optional<Finding> worst;
-  visit_states(arranged, with, [&](const JudgedState& state) {
+  visit_states(drawing->arranged, drawing->with, [&](const JudgedState& state) {
     for (const Finding& finding : state.findings) {
       if (!rejects_design(finding)) continue;
       drawn.runs = false;
       wider_helps = wider_helps && is_safety(finding.code);
-      if (!worst || is_before(finding, *worst)) worst = finding;
+      if (!worst || is_listed_before(finding, *worst)) worst = finding;
     }
     if (state.pair) drawn.at_ends.push_back(*state.pair);
     return drawn.runs || wider_helps;
@@ -369,15 +349,12 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
 
 Result<std::optional<Finding>> finding_of_drawing(const SearchProblem& problem,
                                                   const DesignRow& row) {
-  auto made = arrange(drawing_of(problem, row), Scope::pair);
-  if (!made) return made.error();
-  Arranged arranged = std::move(made).take();
-  JudgedWith with;
-  std::optional<RatedDrawing> rated;
+  const auto drawing = drawing_of(problem, row);
+  if (!drawing) return drawing.error();
   std::optional<Finding> worst;
-  if (!add_rating(problem, arranged, rated, with)) return worst;
-  for (Finding& finding : findings_within_tolerances(arranged, with))
-    if (rejects_design(finding) && (!worst || is_before(finding, *worst)))
+  if (!drawing->ratable) return worst;
+  for (Finding& finding : findings_within_tolerances(drawing->arranged, drawing->with))
+    if (rejects_design(finding) && (!worst || is_listed_before(finding, *worst)))
       worst = std::move(finding);
   return worst;
 }

@@ -26,7 +26,7 @@ struct JudgedWith {
   const ContactResult* contact = nullptr;  ///< contact of the working flanks; null if not computed
   bool errors = false;                     ///< true if errors of mounting are included in the
                                            ///< contact
-  std::optional<JudgedRating> rating{};    ///< none if not computed
+  std::optional<PairRating> rating{};      ///< none if not computed
   /// Computes the contact of a changed pair with the same errors, and may add warnings. Returns
   /// none if there is no contact. If it is empty, findings about the contact have no remedy.
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};

@@ -53,8 +53,8 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const Safeties& wanted
     made.judged.contact = &c.judged();
   }
   if (!drive.ratings.empty() && drive.ratings[m]) {
-    const MeshRating& r = *drive.ratings[m];
-    made.judged.rating = JudgedRating{&r.pair, &r.input, &r.rating, wanted};
+    made.judged.rating = *drive.ratings[m];
+    made.judged.rating->wanted = wanted;
   }
   return made;
 }
@@ -70,7 +70,7 @@ std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const Safe
 }
 
 std::size_t gear_index(const Drive& drive, std::size_t m, int which) {
-  return drive.graph.meshes[m].gears[static_cast<std::size_t>(which - 1)];
+  return drive.graph.meshes[m].gears[which - 1];
 }
 
 std::vector<Part> parts_of(const Drive& drive, const Safeties& wanted) {
@@ -166,7 +166,8 @@ void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& 
     // A stage with `teeth` has no key for a tip diameter.
     if (key.empty() && change->what == Adjustable::tip_diameter && !input.stages.empty() &&
         !drive.graph.frame(drive.graph.meshes[m]))
-      f.remedy.insert(f.remedy.size() - 1, " (`tip_diameter`, which a gear with its own table can have)");
+      f.remedy.insert(f.remedy.size() - 1,
+                      " (`tip_diameter`, which a gear with its own table can have)");
     if (key.empty()) continue;
     f.change = own[i].change;
     f.change->path = key;

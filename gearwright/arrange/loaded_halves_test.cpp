@@ -25,13 +25,13 @@ struct Sample {
 Sample sample(double stagger, std::array<double, 2> faces = {50.0, 50.0}, double crowning = 0.0) {
   GivenPair given;
   for (const int which : {1, 2}) {
-    given.gears[static_cast<std::size_t>(which - 1)].emplace();
+    given.gears[which - 1].emplace();
     GearInput& g = given.gear(which);
     g.cylindrical.teeth = which == 1 ? 17 : 29;
     g.cylindrical.normal_module = 3.0;
     g.cylindrical.helix_angle = Angle::degrees(which == 1 ? 25 : -25);
     g.helix_given = true;
-    g.cylindrical.face_width = faces[static_cast<std::size_t>(which - 1)];
+    g.cylindrical.face_width = faces[which - 1];
     g.face_width_given = true;
     g.cylindrical.rack = *iso53_rack("ISO53-A");
     g.bore = Bore{.diameter = 20.0};
@@ -41,7 +41,7 @@ Sample sample(double stagger, std::array<double, 2> faces = {50.0, 50.0}, double
   EXPECT_FALSE(halve(given));
   Sample s{std::move(arrange(given)).take(), {}};
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     s.halves[i] =
         std::move(halves_of(s.half.gear(which), *given.gear(which).double_helical)).take();
   }

@@ -165,7 +165,7 @@ Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
 // if there is none.
 std::string deflecting_member(const LoadRequest& request) {
   for (const int which : {1, 2})
-    if (request.shafts[static_cast<std::size_t>(which - 1)]) return gear_field(which, "shaft");
+    if (request.shafts[which - 1]) return gear_field(which, "shaft");
   if (!request.deflects()) return {};
   return request.deflection_slope != 0.0 ? "load.deflection_slope" : "load.deflection_bow";
 }
@@ -184,7 +184,7 @@ Error no_touch(const LoadTask& task) {
 
 Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   const NarrowestSlices narrowest = narrowest_slices(setup.gear(1), setup.gear(2), request);
-  const auto g = static_cast<std::size_t>(narrowest.gear - 1);
+  const std::size_t g = narrowest.gear - 1;
   const auto fair = fair_slices(setup.gear(1), setup.gear(2), request.regime, request.reach);
   LoadRequest coarser = request;
   coarser.slices = fair;
@@ -231,7 +231,7 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
     const auto& shaft = arranged.completed.gear(which).shaft;
     if (!shaft) continue;
     if (half || request.regime == LoadRegime::point) return not_for_shaft(which, half.has_value());
-    request.shafts[static_cast<std::size_t>(which - 1)] = shaft;
+    request.shafts[which - 1] = shaft;
   }
   if (request.regime == LoadRegime::point)
     if (auto error = not_for_points(input)) return *error;

@@ -100,7 +100,7 @@ std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair) {
   if (clears(0) && clears(1)) return std::nullopt;
   std::string means;
   for (const int which : {1, 2}) {
-    const auto& needed = p->needed_crowning[static_cast<std::size_t>(which - 1)];
+    const auto& needed = p->needed_crowning[which - 1];
     if (!needed) continue;
     means += fmt::format("{}more than {:.2f} µm on gear {}", means.empty() ? "" : ", or ",
                          rounded_up(kUmPerMm * *needed, 2), which);

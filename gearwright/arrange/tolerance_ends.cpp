@@ -309,7 +309,7 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     add(TolerancedNumber::Of::distance, 0, lower.pair->center_distance(),
         upper.pair->center_distance(), nominal.pair->center_distance());
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     if (i >= nominal.gears.size()) break;
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,

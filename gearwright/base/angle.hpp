@@ -41,6 +41,9 @@ class Angle {
   double rad_ = 0.0;
 };
 
+/// Converts an angle in rad to degrees, as Angle::deg().
+constexpr double deg(double rad) { return Angle::radians(rad).deg(); }
+
 namespace literals {
 constexpr Angle operator""_deg(long double value) {
   return Angle::degrees(static_cast<double>(value));

@@ -156,11 +156,11 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
 
 // The fit of an arc runs from root to tip. A piece of the contour is this fit, either mirrored or
 // reversed. Both operations change the sign of a bulge.
-Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
-                                   double tolerance_mm) {
+Result<BiarcChain> biarc_contour(const Outline& outline, const Contour& contour,
+                                 double tolerance_mm) {
   const auto fits = fit_arcs(outline, contour, tolerance_mm, fit_biarcs);
   if (!fits) return fits.error();
-  BiarcContour result{{}, {}, fits->deviation_mm};
+  BiarcChain result{{}, {}, fits->deviation_mm};
   for (const ContourPiece& piece : contour.pieces) {
     if (piece.land) {
       result.points.push_back(piece.begin);

@@ -22,12 +22,14 @@
 namespace gearwright {
 
 struct BiarcChain {
-  std::vector<Vec2> points;    ///< mm, from the root side to the tip side, including both ends
-  std::vector<double> bulges;  ///< bulges[i] belongs to the arc from points[i] to points[i + 1]
+  std::vector<Vec2> points;    ///< mm
+  std::vector<double> bulges;  ///< bulges[i] belongs to the arc from points[i] to points[i + 1]; in
+                               ///< a closed chain, the last arc ends at points[0]
   double deviation_mm;         ///< greatest normal distance at 256 points per biarc
 };
 
-/// Returns a chain of arcs within `tolerance_mm` of the exact curve.
+/// Returns a chain of arcs within `tolerance_mm` of the exact curve, from the root side to the tip
+/// side, including both ends.
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
@@ -39,19 +41,12 @@ struct BiarcChain {
 ///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
-/// The closed outline of the whole gear in true circular arcs, as a chain of points and bulges.
-struct BiarcContour {
-  std::vector<Vec2> points;    ///< mm, counter-clockwise
-  std::vector<double> bulges;  ///< bulges[i]: arc from points[i] to the next point, cyclically
-  double deviation_mm;         ///< greatest normal distance from the exact outline, as measured
-};
-
-/// Returns the contour of all teeth. Each land is one arc. Every other arc of the half outline is
-/// fitted by biarcs only once, and all teeth use this fit.
+/// Returns the closed outline of the whole gear, counter-clockwise. Each land is one arc. Every other
+/// arc of the half outline is fitted by biarcs only once, and all teeth use this fit.
 ///
 /// Errors    `tolerance_mm` if an arc cannot be fitted within this tolerance
 /// Domain    tolerance_mm > 0 (contract)
-Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
-                                   double tolerance_mm);
+Result<BiarcChain> biarc_contour(const Outline& outline, const Contour& contour,
+                                 double tolerance_mm);
 
 }  // namespace gearwright

@@ -218,7 +218,7 @@ class Workpieces {
 
 Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
                                  const std::optional<Halves>& halves, int which,
-                                 const std::array<FlankModifications, 2>& modifications) {
+                                 const BothFlanks& modifications) {
   ToothedBody body = gear_body(gear, name, body_bore(gear)).value();
   if (halves) {
     const auto& [gap, stagger, groove, hob, lead, length] = halves->given;

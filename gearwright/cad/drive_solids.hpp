@@ -27,7 +27,7 @@ namespace gearwright {
 ///           modify()
 Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
                                  const std::optional<Halves>& halves, int which,
-                                 const std::array<FlankModifications, 2>& modifications);
+                                 const BothFlanks& modifications);
 
 /// Returns every copy of every solid, each at its position in the common frame of one file. A copy
 /// refers to the first solid with the same shape. Solids of one body have the same colour. If a

@@ -39,7 +39,7 @@ std::string with_fit(const std::string& size, const std::string& fit) {
 // axial view is to the right of the transverse view.
 class GearViews : public SheetViews {
  public:
-  GearViews(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
+  GearViews(const GearSheetInput& input, const BiarcChain& outline, const BodyContour& contour,
             double scale)
       : input_(input), outline_(outline), bore_(contour.bore), k_(scale) {
     const double inner = contour.teeth.inner_radius, outer = contour.teeth.outer_radius;
@@ -259,7 +259,7 @@ class GearViews : public SheetViews {
   }
 
   const GearSheetInput& input_;
-  const BiarcContour& outline_;
+  const BiarcChain& outline_;
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm on the gear
   double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm

@@ -48,24 +48,24 @@ class ProductWriter {
     Id shape;  // the representation of the shape
   };
 
-  Product part(const StepPart& part, const std::array<double, 3>& colour) {
-    const Id context = representation_context(part.name);
+  Product part(const std::string& name, Id solid, const std::array<double, 3>& colour) {
+    const Id context = representation_context(name);
     const Id shape = add("ADVANCED_BREP_SHAPE_REPRESENTATION({},(#{},#{}),#{})",
-                         part21_string(part.name), origin_, part.solid, context);
-    colour_solid(part.solid, colour, context);
-    return product(part.name, shape);
+                         part21_string(name), origin_, solid, context);
+    colour_solid(solid, colour, context);
+    return product(name, shape);
   }
 
-  void assembly(const std::string& name, const std::vector<StepPart>& parts,
+  void assembly(const std::string& name, const std::vector<ToothedBody>& bodies,
                 const std::vector<Product>& products) {
     std::vector<Id> items{origin_};
-    for (const StepPart& part : parts) items.push_back(placement(part.pose));
+    for (const ToothedBody& body : bodies) items.push_back(placement(body.pose));
     std::string text = fmt::format("SHAPE_REPRESENTATION({},", part21_string(name));
     append_ids(text, items);
     const Id context = representation_context(name);
     const Product whole = product(name, out_.add(text + fmt::format(",#{})", context)));
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      component(i + 1, parts[i].name, whole, products[i], items[i + 1]);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      component(i + 1, bodies[i].name, whole, products[i], items[i + 1]);
   }
 
  private:
@@ -144,16 +144,17 @@ class ProductWriter {
 
 }  // namespace
 
-void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,
-                  const std::string& assembly) {
-  GW_EXPECTS(!parts.empty());
+void add_products(Part21& out, const StepProtocol& protocol, const std::vector<ToothedBody>& bodies,
+                  const std::vector<Part21Id>& solids, const std::string& assembly) {
+  GW_EXPECTS(!bodies.empty());
   ProductWriter writer(out, protocol);
   std::vector<ProductWriter::Product> products;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    products.push_back(parts[i].same_as
-                           ? products[*parts[i].same_as]
-                           : writer.part(parts[i], part_colour(parts[i].colour.value_or(i))));
-  if (parts.size() > 1 || !parts[0].pose.is_identity()) writer.assembly(assembly, parts, products);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    products.push_back(bodies[i].same_as ? products[*bodies[i].same_as]
+                                         : writer.part(bodies[i].name, solids[i],
+                                                       part_colour(bodies[i].colour.value_or(i))));
+  if (bodies.size() > 1 || !bodies[0].pose.is_identity())
+    writer.assembly(assembly, bodies, products);
 }
 
 }  // namespace gearwright

@@ -7,7 +7,6 @@
 // application protocols require. Lengths are in mm and angles in rad.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,18 +22,11 @@ struct StepProtocol {
   const char* context;  ///< the subject of the protocol
 };
 
-struct StepPart {
-  std::string name;
-  SolidPose pose;
-  Part21Id solid;
-  std::optional<std::size_t> colour{};   ///< for part_colour(); by default the index of the part
-  std::optional<std::size_t> same_as{};  ///< index of an earlier part of which this one is a copy
-};
-
-/// Writes the products of the parts, and the assembly if there is one.
+/// Writes the products of the bodies, and the assembly if there is one. `solids` contains the solid
+/// of each body.
 ///
-/// Domain    at least one part (contract)
-void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,
-                  const std::string& assembly);
+/// Domain    at least one body (contract)
+void add_products(Part21& out, const StepProtocol& protocol, const std::vector<ToothedBody>& bodies,
+                  const std::vector<Part21Id>& solids, const std::string& assembly);
 
 }  // namespace gearwright

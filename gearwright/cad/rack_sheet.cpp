@@ -22,7 +22,7 @@ namespace {
 class RackViews : public SheetViews {
  public:
   // `outline` contains all teeth or, for an interrupted view, the teeth at one end.
-  RackViews(const RackSheetInput& input, const BiarcContour& outline, double scale)
+  RackViews(const RackSheetInput& input, const BiarcChain& outline, double scale)
       : input_(input), outline_(outline), k_(scale) {
     const RackGeometry& rack = input.rack;
     interrupted_ = rack.teeth > kTeethInFull;
@@ -260,7 +260,7 @@ class RackViews : public SheetViews {
   }
 
   const RackSheetInput& input_;
-  const BiarcContour& outline_;
+  const BiarcChain& outline_;
   double k_;  // mm on paper per mm on the rack
   bool interrupted_ = false;
   // mm on paper, in this order: right end of the section (the left end is at −right_), back, tips,

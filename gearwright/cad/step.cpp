@@ -144,7 +144,7 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
   const StepProtocol& protocol = options.schema == StepSchema::ap242 ? kAp242 : kAp214;
   StepReport report;
   Part21 file(header(protocol, file_name));
-  std::vector<StepPart> parts;
+  std::vector<Part21Id> solids;
   std::vector<double> volumes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
@@ -157,19 +157,18 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
       }
     report.volume_mm3 += volumes.back();
     if (body.same_as) {
-      parts.push_back(
-          {body.name, body.pose, parts[*body.same_as].solid, body.colour, body.same_as});
+      solids.push_back(solids[*body.same_as]);
       continue;
     }
     const auto brep = add_solid(file, body, i, report.faces);
     if (!brep) return within(body.name, brep.error());
     report.face_count += brep->face_count;
     report.edge_count += brep->edge_count;
-    parts.push_back({body.name, body.pose, brep->solid, body.colour});
+    solids.push_back(brep->solid);
   }
   for (const StepFace& face : report.faces)
     report.max_deviation_mm = std::max(report.max_deviation_mm, face.max_deviation_mm);
-  add_products(file, protocol, parts, without_ending(file_name));
+  add_products(file, protocol, bodies, solids, without_ending(file_name));
   return StepDocument{std::move(file).finish(), std::move(report)};
 }
 

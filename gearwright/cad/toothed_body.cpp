@@ -53,8 +53,7 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
   return body;
 }
 
-std::optional<Error> modify(ToothedBody& body, const Gear& gear,
-                            const std::array<FlankModifications, 2>& flanks) {
+std::optional<Error> modify(ToothedBody& body, const Gear& gear, const BothFlanks& flanks) {
   if (!any_modification(flanks)) return std::nullopt;
   if (!gear.root_form_radius()) {
     body.unmodified = "the gear has no usable flank";

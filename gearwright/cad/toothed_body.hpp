@@ -175,8 +175,7 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
 /// reason.
 ///
 /// Errors    `modifications.right.…`, `modifications.left.…`, errors of make_removal_field
-std::optional<Error> modify(ToothedBody& body, const Gear& gear,
-                            const std::array<FlankModifications, 2>& flanks);
+std::optional<Error> modify(ToothedBody& body, const Gear& gear, const BothFlanks& flanks);
 
 /// Returns the rack in its own frame (pair/rack_pair.hpp). The pose of the rack is
 /// `in_assembly(rack_pair.pose_2())`.

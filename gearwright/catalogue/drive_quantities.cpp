@@ -410,7 +410,7 @@ const Quantities<Drive>& drive_quantities() { return define<add_drive>("drive");
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh) {
   const auto& made = drive.ratings[mesh];
   if (!made) return std::nullopt;
-  return rating_quantities().of({made->pair, made->input, made->rating});
+  return rating_quantities().of({*made});
 }
 
 }  // namespace gearwright

@@ -67,13 +67,13 @@ const Quantities<PlanetSet>& phasing_quantities();
 
 const Quantities<FoundDrive>& found_drive_quantities();
 
-struct DriveSearchView {
-  const DriveSearchProblem* problem;
-  const DriveSearchResult* result;
-  const DriveDesigns* designs;
+struct FoundDrives {
+  DriveSearchProblem problem;
+  DriveSearchResult result;
+  DriveDesigns designs;
   std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and
                                               ///< its spec gives no K_Hβ; otherwise none
 };
-const Quantities<DriveSearchView>& drive_search_quantities();
+const Quantities<FoundDrives>& drive_search_quantities();
 
 }  // namespace gearwright

@@ -169,40 +169,40 @@ ValueMap counts(const std::array<std::string_view, N>& names, const std::array<T
   return map;
 }
 
-void add_drive_search(Quantities<DriveSearchView>& q) {
-  using S = DriveSearchView;
+void add_drive_search(Quantities<FoundDrives>& q) {
+  using S = FoundDrives;
   q.word("kind", "kind", "kind of the drives",
-         [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]; });
+         [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem.kind)]; });
   q.term("tested",
          "number of tested sets; sets that differ only in the number of planets are counted "
          "separately",
-         [](const S& s) { return s.result->tested; });
+         [](const S& s) { return s.result.tested; });
   q.add(Type::index, "feasible_count", "feasible", "", "number of sets that satisfy all limits",
-        [](const S& s) { return s.result->found.size(); });
+        [](const S& s) { return s.result.found.size(); });
   q.add(Type::map, "rejected", "rejected", "",
         "number of sets that each limit ruled out; a set counts for the first limit that rules it "
         "out, in the order `ratio`, `assembly`, `neighbours`, `phasing`, `size`",
-        [](const S& s) { return counts(kDriveLimitNames, s.result->rejected); })
+        [](const S& s) { return counts(kDriveLimitNames, s.result.rejected); })
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
         "number of feasible sets whose teeth were computed; the best sets are computed first, "
         "until `designs` has as many drives as `--top` gives",
-        [](const S& s) { return s.designs->computed; });
+        [](const S& s) { return s.designs.computed; });
   q.add(Type::index, "hopeless", "hopeless", "",
         "number of feasible trains that were not computed, because an estimate from 64 rated "
         "trains of the same module shows that these trains cannot have the required safeties or, "
         "if each stage has its own module, that they would be larger than allowed",
-        [](const S& s) { return s.designs->hopeless; });
+        [](const S& s) { return s.designs.hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
         "number of feasible sets that were not computed, because at most 20 000 sets of each "
         "module are computed; trains in `hopeless` are not counted; 0 if `designs` has at least as "
         "many drives as `--top` gives",
-        [](const S& s) { return s.designs->beyond_limit; });
+        [](const S& s) { return s.designs.beyond_limit; });
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close to each other with their profile shifts), "
         "`sliding`, `overlap`, `safety`, `verdict` (amber or red)",
-        [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
+        [](const S& s) { return counts(kDriveFaultNames, s.designs.left_out); })
       .doors(kJson);
   q.term("face_load_factor",
          "default of rated searches; only if `[rating]` has no `face_load_factor`",
@@ -210,7 +210,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .when([](const S& s) { return s.default_face_load.has_value(); });
   q.term("pareto",
          "positions of the Pareto-optimal designs in `designs`; only with several objectives",
-         [](const S& s) { return s.designs->pareto; })
+         [](const S& s) { return s.designs.pareto; })
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
@@ -218,7 +218,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
        "only an estimate of the order is known before the teeth are computed, each group of 100 "
        "drives is sorted separately. If there are several objectives, further drives of the Pareto "
        "front follow. The numbers of a drive equal the results of the verb `drive`",
-       [](const S& s) -> const auto& { return s.designs->list; })
+       [](const S& s) -> const auto& { return s.designs.list; })
       .doors(kJson);
 }
 
@@ -226,7 +226,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
 
 const Quantities<FoundDrive>& found_drive_quantities() { return define<add_found>("search.drive"); }
 
-const Quantities<DriveSearchView>& drive_search_quantities() {
+const Quantities<FoundDrives>& drive_search_quantities() {
   return define<add_drive_search>("search.drives");
 }
 

@@ -143,26 +143,33 @@ std::optional<KeyFault> check_contact(ContactInput& c, const KeyGiven&) {
                   fmt::format("positions times pitches must be at most {}", kMaxPositions)};
 }
 
+template <class V>
+KeyPlace request(V ContactRequest::*member) {
+  return KeyPlace::inherited<ContactInput>(member);
+}
+
 }  // namespace
 
 const KeyTable& contact_keys() {
   static const KeyTable table{
       "contact",
       "Settings of the contact computation",
-      {Key::number("positions", "", KeyRange::between(4, 100'000), &ContactInput::positions, "64",
-                   "positions per pitch of gear 1"),
-       Key::number("pitches", "", KeyRange::between(1, 10'000), &ContactInput::pitches, "1",
+      {Key::number("positions", "", KeyRange::between(4, 100'000),
+                   request(&ContactRequest::positions), "64", "positions per pitch of gear 1"),
+       Key::number("pitches", "", KeyRange::between(1, 10'000), request(&ContactRequest::pitches),
+                   "1",
                    "number of pitches in the result; every pitch repeats the results of the first. "
                    "Positions times pitches must be at most 10⁶"),
        Key::number("marking_mm", "δ", KeyRange::above(0, 1, ", usually 0.003 to 0.01"),
-                   &ContactInput::marking, "0.00635",
+                   request(&ContactRequest::marking), "0.00635",
                    "thickness of the marking compound for ellipses and pattern"),
        Key::number("driver", "", KeyRange::between(1, 2), &ContactInput::driver, "1",
                    "gear that drives; if gear 2 drives, the sense of rotation does not change, and "
                    "the trailing flanks touch"),
        Key::flag("pattern", &ContactInput::pattern, "false",
                  "if true, the result has the marking pattern of both flanks"),
-       Key::number("rotation1_deg", "", KeyRange::between(-1e6, 1e6), &ContactInput::rotations, "",
+       Key::number("rotation1_deg", "", KeyRange::between(-1e6, 1e6),
+                   request(&ContactRequest::rotations), "",
                    "rotations of gear 1, instead of positions and pitches")
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),

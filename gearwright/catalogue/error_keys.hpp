@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/key.hpp"
-#include "gearwright/contact/contact_pair.hpp"
-#include "gearwright/contact/sensitivity.hpp"
+#include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
 
@@ -71,15 +70,10 @@ struct ContactMapInput {
   std::array<int, 2> points{21, 21};
 };
 
-struct ContactInput {
+struct ContactInput : ContactRequest {
   bool given = false;
-  int positions = 64;  ///< number of positions per pitch
-  int pitches = 1;
-  double marking = 0.00635;  ///< thickness of the marking compound, mm
   int driver = 1;
-  bool pattern = false;          ///< true if the result includes the raster of both flanks
-  std::vector<Angle> rotations;  ///< rotations of gear 1; if given, they replace the equally spaced
-                                 ///< positions
+  bool pattern = false;  ///< true if the result includes the raster of both flanks
   std::optional<ContactMapInput> map;
 };
 

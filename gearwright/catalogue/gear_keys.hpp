@@ -114,7 +114,7 @@ constexpr std::array<std::string_view, 2> kFlankMembers{"right.", "left."};
 
 /// [gearN.modifications]: the right and the left flank, and the files of their topographies.
 struct FlanksInput {
-  std::array<FlankModifications, 2> flanks;
+  BothFlanks flanks;
   std::array<std::optional<std::string>, 2> topography;  ///< name of a CSV file
 };
 

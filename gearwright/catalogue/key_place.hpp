@@ -92,6 +92,11 @@ class KeyPlace {
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
+  /// Makes a place for a member that T inherits.
+  template <class T, class Base, class V>
+  static KeyPlace inherited(V Base::*member) {
+    return static_cast<V T::*>(member);
+  }
   /// Makes a place for the member that a function returns: within<T>([](T& t) -> auto& { … })
   template <class T, class F>
   static KeyPlace within(F reach);

@@ -176,9 +176,9 @@ void add_given(Quantities<RatingAnswer>& q) {
       [required](const RatingAnswer& v) { return required(v.wanted.flank); });
   add(false, "safety_root_min", "required safety against root breakage", "S_Fmin", 2,
       [required](const RatingAnswer& v) { return required(v.wanted.root); });
-  add(false, "life_h", "required life in h", "L_h", 0,
+  add(false, "life_h", "required life", "L_h", 0,
       [](const RatingAnswer& v) { return v.input.life_h; });
-  add(false, "viscosity_40C", "viscosity at 40 °C in mm²/s", "ν_40", 0,
+  add(false, "viscosity_40C_mm2_s", "viscosity at 40 °C", "ν_40", 0,
       [](const RatingAnswer& v) { return v.input.viscosity; });
   add(true, "quality", "accuracy grade of ISO 1328-1", "", 0,
       [](const RatingAnswer& v) { return v.input.quality; });
@@ -186,7 +186,7 @@ void add_given(Quantities<RatingAnswer>& q) {
       [](const RatingAnswer& v) { return v.input.flank_roughness; });
   add(true, "root_roughness_um", "roughness of the roots", "Rz", 1,
       [](const RatingAnswer& v) { return v.input.root_roughness; });
-  add(true, "surface_hardness_HV", "surface hardness in HV", "", 0, [](const RatingAnswer& v) {
+  add(true, "surface_hardness_HV", "surface hardness", "", 0, [](const RatingAnswer& v) {
     return of_materials(v, [](const Material& m) { return Value(m.hardness_HV); });
   });
 }

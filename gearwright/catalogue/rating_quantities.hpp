@@ -10,7 +10,6 @@
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/rating/sizing.hpp"
-#include "gearwright/rating/spectrum.hpp"
 
 namespace gearwright {
 
@@ -22,19 +21,13 @@ struct ToothContact {
   double face_load_factor;            ///< K_Hβ of the computed line load
 };
 
-struct RatingAnswer {
-  RatedPair pair;
-  RatingInput input;
-  Rating rating;
-  std::vector<LoadBin> steps{};  ///< of the spectrum, with K_Hβ if it is computed
-  std::optional<SpectrumRating> spectrum{};
+struct RatingAnswer : PairRating {
   /// The greatest torque with the required safety factors, N m; under the spectrum, if there is one.
   std::optional<double> torque_holding{};
   /// The least common face width with the required safety factors, mm; none if K_Hβ is computed.
   std::optional<double> face_holding{};
   /// The computed tooth contact; none unless the spec requests this computation.
   std::optional<ToothContact> contact{};
-  Safeties wanted{};  ///< required safeties in the spec, or 1
 };
 
 const Quantities<RatingAnswer>& rating_quantities();

@@ -71,8 +71,7 @@ std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
 
 template <class V>
 KeyPlace plan(V ScatterPlan::*member) {
-  V ScatterInput::*const own = member;
-  return own;
+  return KeyPlace::inherited<ScatterInput>(member);
 }
 
 KeyPlace gear(std::size_t i) {

@@ -34,6 +34,12 @@ enum class Unit {
   modules,          ///< normal modules; no unit is shown to users
   modules_squared,  ///< area of a region of two profile shifts
   percent,          ///< a share from 0 to 1, shown to users as a percentage
+  hour,
+  vickers,
+  kg_per_m3,
+  mm2_per_s,
+  m2_kelvin_per_watt,
+  square_metre,
   inch,             ///< this unit and the units below occur only in results of specs in inch
   microinch,
   per_inch,

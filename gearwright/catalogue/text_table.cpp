@@ -19,7 +19,7 @@ ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const s
       info.type == Type::word || info.type == Type::map};
   for (const Member* m : members) {
     const ValueList* const each = m && gear > 0 ? m->value.list() : nullptr;
-    const Value value = each ? (*each)[static_cast<std::size_t>(gear - 1)] : m ? m->value : Value();
+    const Value value = each ? (*each)[gear - 1] : m ? m->value : Value();
     column.cells.push_back(text_of(info, value, kAbsent, units));
     column.numbers.push_back(value.number());
   }

@@ -7,6 +7,15 @@
 namespace gearwright {
 namespace {
 
+TEST(UnitSystem, UnitsOfKeysOfSpecs) {
+  EXPECT_EQ(unit_text(unit_of("life_h")), "h");
+  EXPECT_EQ(unit_text(unit_of("surface_hardness_HV")), "HV");
+  EXPECT_EQ(unit_text(unit_of("density_kg_per_m3")), "kg/m³");
+  EXPECT_EQ(unit_text(unit_of("lubricant_viscosity_40C_mm2_s")), "mm²/s");
+  EXPECT_EQ(unit_text(unit_of("housing_resistance_m2K_per_W")), "m²K/W");
+  EXPECT_EQ(unit_text(unit_of("housing_area_m2")), "m²");
+}
+
 TEST(UnitSystem, NamesOfKeys) {
   const auto in = [](std::string_view key) { return key_in(UnitSystem::inch, key); };
   EXPECT_EQ(in("gear1.face_width_mm"), "gear1.face_width_in");

@@ -4,6 +4,7 @@
 // the browser convert any value to their own types in the same way, whichever getter returned it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -86,6 +87,14 @@ struct Member {
   Value value;
   bool shown = true;  ///< true if users see a row; if there is no value, the row has a dash
 };
+
+/// Returns the member of a record for this quantity, or null if the record lacks it.
+template <class Record>
+auto member_for(Record& record, const QuantityInfo* info) -> decltype(&record.front()) {
+  const auto it =
+      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.info == info; });
+  return it == record.end() ? nullptr : &*it;
+}
 
 /// True if `value` is null, or if it is a list in which every value is null.
 bool all_nothing(const Value& value);

@@ -247,21 +247,25 @@ void ToothTable::make_local(const ToothTableRequest& request) {
 
 ToothTable::Weights ToothTable::weights(double s) const { return cubic(section_->s, s); }
 
+double ToothTable::entry(const std::vector<double>& table, int j, const Weights& from, int l,
+                         const Weights& to) const {
+  const double* t = &table[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
+  double sum = 0.0;
+  for (int a = 0; a < 4; ++a) {
+    double row = 0.0;
+    for (int b = 0; b < 4; ++b) row += to.w[b] * t[(from.first + a) * places_ + to.first + b];
+    sum += from.w[a] * row;
+  }
+  return sum;
+}
+
 MatrixXd ToothTable::same_tooth(const LinePlaces& line) const {
   MatrixXd c = hertz_;
   std::vector<Weights> w;
   for (const double s : line) w.push_back(weights(s));
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l <= j; ++l) {
-      const double* t = &same_[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
-      double sum = 0.0;
-      for (int a = 0; a < 4; ++a) {
-        double row = 0.0;
-        for (int b = 0; b < 4; ++b)
-          row += w[l].w[b] * t[(w[j].first + a) * places_ + w[l].first + b];
-        sum += w[j].w[a] * row;
-      }
-      c(l, j) += sum;
+      c(l, j) += entry(same_, j, w[j], l, w[l]);
       if (l != j) c(j, l) = c(l, j);
     }
   }
@@ -277,17 +281,7 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
   for (const double s : loaded) from.push_back(weights(s));
   for (const double s : read) to.push_back(weights(s));
   for (int j = 0; j < n_; ++j) {
-    for (int l = 0; l < n_; ++l) {
-      const double* t = &table[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
-      double sum = 0.0;
-      for (int a = 0; a < 4; ++a) {
-        double row = 0.0;
-        for (int b = 0; b < 4; ++b)
-          row += to[l].w[b] * t[(from[j].first + a) * places_ + to[l].first + b];
-        sum += from[j].w[a] * row;
-      }
-      c(l, j) = sum;
-    }
+    for (int l = 0; l < n_; ++l) c(l, j) = entry(table, j, from[j], l, to[l]);
   }
   return c;
 }

@@ -85,6 +85,9 @@ class ToothTable {
   };
   static Weights cubic(const std::vector<double>& places, double x);
   Weights weights(double s) const;
+  // Interpolates in a table between load slice j and read slice l.
+  double entry(const std::vector<double>& table, int j, const Weights& from, int l,
+               const Weights& to) const;
   void make(const ToothTableRequest& request);
   void make_local(const ToothTableRequest& request);
   double& entry(std::vector<double>& t, int i, int j, int k, int l) const;

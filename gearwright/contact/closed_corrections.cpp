@@ -15,7 +15,7 @@ namespace gearwright {
 namespace {
 
 ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
-  const Gear& v = pair.gears[static_cast<std::size_t>(convex - 1)];
+  const Gear& v = pair.gears[convex - 1];
   const Gear& c = pair.gears[static_cast<std::size_t>(2 - convex)];
   return {convex_arcs(v).front(),
           concave_arcs(c).front(),
@@ -30,7 +30,7 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
-  change.cutter_lead[static_cast<std::size_t>(gear - 1)] = delta_lambda;
+  change.cutter_lead[gear - 1] = delta_lambda;
   const auto changed = setup.changed(change);
   if (!changed) return std::nullopt;
   const ContactPair pair = changed->pair(gear2_drives);
@@ -84,7 +84,7 @@ std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactS
     // If contact is lost, the slope is NaN, and find_root() finds no root.
     const auto or_lost = [&](double d) { return slope(d).value_or(kNoNumber); };
     const Root root = find_root(or_lost, -kReach, kReach);
-    if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
+    if (root.found()) answer.exact[gear - 1] = Angle::radians(root.x);
   }
   if (arcs.contacts.empty()) return answer;
   // Computes the change of the lead angle to first order for all errors together. [T8.22]

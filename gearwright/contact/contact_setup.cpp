@@ -58,7 +58,7 @@ Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
           "no teeth touch under these errors, because " + why_nothing_touches(setup, errors)};
 }
 
-bool any_modification(const std::array<FlankModifications, 2>& flanks) {
+bool any_modification(const BothFlanks& flanks) {
   return any_modification(flanks[0]) || any_modification(flanks[1]);
 }
 
@@ -76,8 +76,7 @@ Result<SetupGear> SetupGear::of(const Gear& gear, int which, Angle cutter_lead) 
   return SetupGear{std::make_shared<const Gear>(gear)};
 }
 
-std::optional<Error> SetupGear::modify(int which, const std::array<FlankModifications, 2>& flanks,
-                                       bool wanted) {
+std::optional<Error> SetupGear::modify(int which, const BothFlanks& flanks, bool wanted) {
   if (!wanted && !removal[0] && !any_modification(flanks)) return std::nullopt;
   auto made = removal_of(*gear, flanks);
   if (!made) return of_gear(which, made.error());
@@ -231,7 +230,7 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
                   format_number(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
 }
 
-Result<FlankRemoval> removal_of(const Gear& gear, const std::array<FlankModifications, 2>& flanks) {
+Result<FlankRemoval> removal_of(const Gear& gear, const BothFlanks& flanks) {
   FlankRemoval removal;
   for (const std::size_t side : {0, 1}) {
     auto field = make_removal_field(flanks[side], flank_extent(gear));

@@ -16,9 +16,6 @@
 
 namespace gearwright {
 
-/// The modifications of gear 1 and of gear 2, each for the right and the left flank.
-using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
-
 constexpr bool is_slope(Modification m) {
   return m == Modification::lead_slope || m == Modification::profile_slope;
 }
@@ -48,8 +45,7 @@ struct SetupGear {
   /// Makes the fields. Without modifications, a gear without fields gets them only if `wanted`.
   ///
   /// Errors    `gearN.modifications.…` as make_removal_field
-  std::optional<Error> modify(int which, const std::array<FlankModifications, 2>& flanks,
-                              bool wanted);
+  std::optional<Error> modify(int which, const BothFlanks& flanks, bool wanted);
   ContactGear flanks() const { return {gear.get(), {removal[0].get(), removal[1].get()}}; }
 };
 
@@ -110,7 +106,7 @@ class ContactSetup {
 
 /// True if a flank has a modification, a topography or a form wave. A relief whose reach is given
 /// counts, even if its amount is 0.
-bool any_modification(const std::array<FlankModifications, 2>& flanks);
+bool any_modification(const BothFlanks& flanks);
 
 /// Returns an error if the lead angle of the cutter cannot change by this amount.
 ///
@@ -124,7 +120,7 @@ constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 ///
 /// Domain    a gear with a root form radius (contract)
 /// Errors    `modifications.right.…` or `modifications.left.…` as make_removal_field
-Result<FlankRemoval> removal_of(const Gear& gear, const std::array<FlankModifications, 2>& flanks);
+Result<FlankRemoval> removal_of(const Gear& gear, const BothFlanks& flanks);
 
 /// The usable flank of a gear, to which its modifications apply.
 ///

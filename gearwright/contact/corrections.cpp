@@ -26,7 +26,7 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction) {
   if (correction.is(CutterSetting::tool_setting)) return setup.convex_gear().has_value();
   if (const Modification* m = correction.modification()) {
-    const auto& flanks = setup.modifications()[static_cast<std::size_t>(correction.gear - 1)];
+    const auto& flanks = setup.modifications()[correction.gear - 1];
     return member_of(*m).placed(flanks[0]) && member_of(*m).placed(flanks[1]);
   }
   const Gear& gear = setup.gear(correction.gear);
@@ -54,7 +54,7 @@ ContactSetup with_fields_for(const ContactSetup& setup,
                              const std::vector<WorkshopCorrection>& corrections) {
   std::array<bool, 2> wanted{};
   for (const WorkshopCorrection& c : corrections)
-    if (influence_of(c)) wanted[static_cast<std::size_t>(c.gear - 1)] = true;
+    if (influence_of(c)) wanted[c.gear - 1] = true;
   return setup.with_fields(wanted);
 }
 

@@ -29,7 +29,7 @@ int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
   for (const int gear : {1, 2}) {
     const auto end = outlines.root_end(gear);
     if (!end) continue;
-    const double radius = p.diameter[static_cast<std::size_t>(gear - 1)] / 2;
+    const double radius = p.diameter[gear - 1] / 2;
     const double side = gear == 2 ? outlines.side() : 1.0;
     if (side * radius < side * *end) return gear;
   }

@@ -26,7 +26,7 @@ testing::SamplePair sample(std::uint64_t k) {
   const auto& [z1, z2] = teeth[k % teeth.size()];
   testing::SamplePair p = testing::involutes(z1, z2, k % 5 == 0 ? 0.0 : draw(-28, 28));
   for (const int gear : {1, 2}) {
-    const Gear& g = p.gears[static_cast<std::size_t>(gear - 1)];
+    const Gear& g = p.gears[gear - 1];
     FlankModifications m;
     if (k % 3 == 1) m.lead_crowning = draw(0.001, 0.012);
     if (k % 3 == 1) m.profile_crowning = draw(0.0, 0.006);

@@ -6,23 +6,17 @@
 
 namespace gearwright {
 
-GearModifications on_both_flanks(const FlankModifications& modifications) {
-  return {modifications, modifications};
-}
-
 Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors,
                                                         const ContactOptions& options) {
-  PairModifications modifications;
   std::array<bool, 2> fields{};
   for (std::size_t i = 0; i < 2; ++i) {
-    modifications[i] = {options.modifications[i].right, options.modifications[i].left};
     // Derivatives with respect to a modification need the field of removed material, even if
     // nothing is removed.
     for (const Influence& influence : options.request.influences)
       fields[i] = fields[i] || influence.modified_gear == static_cast<int>(i) + 1;
   }
-  const auto setup = ContactSetup::of(pair, errors, modifications, fields);
+  const auto setup = ContactSetup::of(pair, errors, options.modifications, fields);
   if (!setup) return setup.error();
   return setup->shared_pair(errors, options.gear2_drives);
 }

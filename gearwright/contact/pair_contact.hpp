@@ -13,21 +13,14 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/modifications.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
-/// The modifications of the right and left flanks of all teeth of a gear. Right and left are
-/// defined in gear/modifications.hpp.
-struct GearModifications {
-  FlankModifications right{}, left{};
-};
-
-GearModifications on_both_flanks(const FlankModifications& modifications);
-
 struct ContactOptions {
-  std::array<GearModifications, 2> modifications{};  ///< for gear 1, gear 2
-  bool gear2_drives = false;                         ///< if true, trailing flanks of gear 1 touch
+  PairModifications modifications{};
+  bool gear2_drives = false;  ///< if true, trailing flanks of gear 1 touch
   ContactRequest request{};
 };
 

@@ -21,7 +21,7 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
                                                         const ContactErrors& errors,
                                                         const ContactOptions& options) {
   const auto& [right, left] = options.modifications[0];
-  GW_EXPECTS(!any_modification({options.modifications[1].right, options.modifications[1].left}));
+  GW_EXPECTS(!any_modification(options.modifications[1]));
   auto made = SetupGear::of(pair.pinion, 1, errors.cutter_lead[0]);
   if (!made) return made.error();
   if (auto error = check_rack_errors(errors)) return *error;

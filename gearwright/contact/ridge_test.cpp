@@ -23,7 +23,7 @@ SamplePair relieved(Where where, ReliefShape shape, bool gear2_drives = false) {
   FlankModifications m;
   m.lead_crowning = 0.01;
   const int gear = where == Where::tip2 ? 2 : 1;
-  const Gear& g = p.gears[static_cast<std::size_t>(gear - 1)];
+  const Gear& g = p.gears[gear - 1];
   const double lo = 2 * *g.root_form_radius();
   const double hi = 2 * g.tip_form_radius();
   const auto at = [&](double t) { return lo + t * (hi - lo); };
@@ -58,13 +58,13 @@ TEST(Ridge, begins_where_the_relief_does) {
       const ContactResult r = analyse_contact(pair, {96, 1, 0.006});
       EXPECT_GT(ridges(r), 2);
       const int gear = where == Where::tip2 ? 2 : 1;
-      const RemovalField& field = *p.removal[static_cast<std::size_t>(gear - 1)];
+      const RemovalField& field = *p.removal[gear - 1];
       for (const ContactPoint& c : r.positions) {
         if (c.kind != TouchKind::ridge) continue;
         EXPECT_TRUE(is_sharp(c.kind) && !is_edge(c.kind));
         EXPECT_EQ(c.ridge->gear, gear);
         EXPECT_FALSE(c.gap_curvature || c.ellipse);
-        const auto g = static_cast<std::size_t>(gear - 1);
+        const std::size_t g = gear - 1;
         if (where == Where::end1) {
           EXPECT_NEAR(std::abs(c.height[g]), 2.0, 1e-9);
         } else {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/math/lowest.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -90,30 +92,11 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
   // Between the neighbours of the lowest node, the gap has one minimum. Golden section locates this
   // minimum to about a thousandth of a step. At a minimum, such an error changes the gap only to
   // second order.
-  constexpr double kGolden = 0.6180339887498949;
-  double lo = node(std::max(best - 1, 0));
-  double hi = node(std::min(best + 1, kNodes));
-  double l = hi - kGolden * (hi - lo);
-  double r = lo + kGolden * (hi - lo);
-  double at_l = fillet.gap(l, corner);
-  double at_r = fillet.gap(r, corner);
-  for (int i = 0; i < 14; ++i) {
-    least = std::min({least, at_l, at_r});
-    if (at_l < at_r) {
-      hi = r;
-      r = l;
-      at_r = at_l;
-      l = hi - kGolden * (hi - lo);
-      at_l = fillet.gap(l, corner);
-    } else {
-      lo = l;
-      l = r;
-      at_l = at_r;
-      r = lo + kGolden * (hi - lo);
-      at_r = fillet.gap(r, corner);
-    }
-  }
-  return std::min({least, at_l, at_r});
+  constexpr int kSteps = 14;
+  const double deepest =
+      golden_section([&](double t) { return fillet.gap(t, corner); }, node(std::max(best - 1, 0)),
+                     node(std::min(best + 1, kNodes)), kSteps);
+  return std::min(least, fillet.gap(deepest, corner));
 }
 
 }  // namespace

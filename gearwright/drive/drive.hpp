@@ -18,7 +18,7 @@
 #include "gearwright/drive/drive_motion.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/power_flow.hpp"
-#include "gearwright/rating/rating.hpp"
+#include "gearwright/rating/sizing.hpp"
 
 namespace gearwright {
 
@@ -93,10 +93,10 @@ struct DriveBacklash {
 };
 
 /// Rating of a mesh as a pair of gears, computed by drive/drive_rating.hpp.
-struct MeshRating {
-  RatedPair pair;
-  RatingInput input;  ///< inputs for one engagement per turn and for bending in one direction
-  Rating rating;      ///< for the actual engagements and directions of bending of each gear
+/// `input` applies to one engagement per turn and to bending in one direction, and `rating` to the
+/// actual engagements and directions of bending of each gear. The required safety factors are
+/// arguments of the functions that judge a drive.
+struct MeshRating : PairRating {
   std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 using M = SetMember;
 
-std::array<FlankModifications, 2> relieved(double tip, double crowning) {
+BothFlanks relieved(double tip, double crowning) {
   FlankModifications flank;
   flank.profile_crowning = crowning;
   flank.profile_slope = tip;
@@ -198,9 +198,8 @@ TEST(DriveErrorTest, ARackHasTheErrorOfItsContact) {
     ASSERT_TRUE(drive);
     ASSERT_TRUE(drive->error);
     const RackPair& pair = *drive->geometry.racks[0];
-    const auto [right, left] = relieved(0.004, 0.006);
     ContactOptions options;
-    options.modifications[0] = {right, left};
+    options.modifications[0] = relieved(0.004, 0.006);
     options.gear2_drives = rack_drives;
     options.request.positions = kErrorPositions;
     const auto touching = contact(pair, {}, options);
@@ -281,7 +280,7 @@ std::vector<double> pinion_turned_by_hand(const Drive& drive, double to_wheel, d
   const auto flanks = relieved(0.004, 0.006);
   const auto setup = ContactSetup::of(*drive.geometry.pairs[1], {}, {flanks, flanks});
   ContactOptions options;
-  options.modifications[0] = {flanks[0], flanks[1]};
+  options.modifications[0] = flanks;
   options.gear2_drives = rack_drives;
   const RackPair& rack = *drive.geometry.racks[0];
   const auto bar = contact_pair(rack, {}, options);

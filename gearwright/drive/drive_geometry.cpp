@@ -374,7 +374,7 @@ double thickness_share_at(const Gear& gear, double alpha_wt) {
 }  // namespace
 
 double thickness_share(const InvolutePair& pair, int which) {
-  const auto side = static_cast<std::size_t>(which - 1);
+  const std::size_t side = which - 1;
   return thickness_share_at(pair.gears[side], std::acos(pair.input.gears[side].radius /
                                                         pair.mesh.rack.sides[side].pitch_radius));
 }

@@ -132,6 +132,16 @@ Error of_drive_gear(const DriveGear& gear, Error error) {
   return within(fmt::format("drive.gear[\"{}\"]", gear.name), std::move(error));
 }
 
+std::optional<Error> check_speeds(const std::vector<double>& speeds_rpm, std::size_t inputs) {
+  if (speeds_rpm.empty() || speeds_rpm.size() == inputs) return std::nullopt;
+  std::vector<std::string> texts;
+  for (const double rpm : speeds_rpm) texts.push_back(format_number(rpm));
+  return Error{"drive.speed", fmt::format("[{}]", fmt::join(texts, ", ")),
+               fmt::format("has {} number{} for {} input{}; give one speed for each input",
+                           texts.size(), texts.size() == 1 ? "" : "s", inputs,
+                           inputs == 1 ? "" : "s")};
+}
+
 std::optional<Error> check_graph(const DriveGraph& graph) {
   if (graph.bodies.empty() || graph.meshes.empty())
     return absent_input("drive.mesh",
@@ -157,15 +167,7 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
     if (auto error = check_mesh(graph, mesh)) return error;
   for (std::size_t i = 0; i < graph.bodies.size(); ++i)
     if (auto error = check_side(graph, i)) return error;
-  if (graph.speeds_rpm.size() > graph.inputs.size()) {
-    std::vector<std::string> speeds;
-    for (const double rpm : graph.speeds_rpm) speeds.push_back(format_number(rpm));
-    const std::size_t inputs = graph.inputs.size();
-    return Error{"drive.speed", fmt::format("[{}]", fmt::join(speeds, ", ")),
-                 fmt::format("has {} number{} for {} input{}; give one speed for each input",
-                             speeds.size(), speeds.size() == 1 ? "" : "s", inputs,
-                             inputs == 1 ? "" : "s")};
-  }
+  if (auto error = check_speeds(graph.speeds_rpm, graph.inputs.size())) return error;
   if (graph.inputs.size() == 1 && graph.speeds_rpm.size() == 1 &&
       graph.torque_Nm.value_or(0.0) * graph.speeds_rpm.front() < 0.0)
     return Error{"drive.torque", format_number(*graph.torque_Nm),

@@ -59,9 +59,9 @@ struct DriveGear {
                                         ///< is then v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
-  std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
-  std::optional<Bore> bore{};                         ///< bore of the gear body, or rim of a ring
-  std::optional<DoubleHelical> double_helical{};      ///< if set, b in `spec` includes the gap
+  BothFlanks modifications{};           ///< right flank, left flank
+  std::optional<Bore> bore{};           ///< bore of the gear body, or rim of a ring
+  std::optional<DoubleHelical> double_helical{};  ///< if set, b in `spec` includes the gap
 
   bool is_ring() const { return teeth < 0; }
   double side() const { return side_of(teeth); }  ///< σ  +1 external, −1 ring
@@ -125,14 +125,18 @@ struct DriveGraph {
 /// `drive.gear["s1_gear1"].double_helical.gap`.
 Error of_drive_gear(const DriveGear& gear, Error error);
 
+/// Returns an error if speeds are given, but not one speed for each input. Its field is
+/// `drive.speed`.
+std::optional<Error> check_speeds(const std::vector<double>& speeds_rpm, std::size_t inputs);
+
 /// Checks that the graph describes a possible drive.
 ///
 /// Errors    `drive.mesh`, for example if the planets of a mesh are on two carriers, or if a rack
 ///           does not mesh with an external gear in the housing; `drive.gear` if a gear has no
 ///           teeth or a planet has a rack; those of of_drive_gear() if the halves of a
 ///           double-helical gear are staggered or its gap is impossible; `drive.body`, for example
-///           if a body is its own carrier; `drive.speed` if there are more speeds than inputs;
-///           `drive.torque` if the torque and the speed of a single input have opposite signs
+///           if a body is its own carrier; those of check_speeds(); `drive.torque` if the torque and
+///           the speed of a single input have opposite signs
 std::optional<Error> check_graph(const DriveGraph& graph);
 
 /// A planet with all its meshes, or several planets of one carrier that mesh with each other, with

@@ -90,6 +90,8 @@ TEST(DriveInputs, EverySpeedHasAnInput) {
   set.fixed = std::vector<std::string>{};
   set.inputs = {"sun", "ring"};
   EXPECT_EQ(error_field(set), "");
+  set.speeds_rpm = {1500};  // was ignored, so the drive had no speeds
+  EXPECT_EQ(error_field(set), "drive.speed");
 }
 
 }  // namespace

@@ -9,14 +9,12 @@ namespace gearwright::detail {
 
 namespace {
 
-using Flanks = std::array<FlankModifications, 2>;
-
 // Returns the flanks of a gear of a mesh. Seen from the other face, the gear turns in the opposite
 // direction, and its right and left flanks are exchanged.
-std::optional<Flanks> flanks_of(const DriveGear& gear, bool turned_over) {
-  const Flanks& flanks = gear.modifications;
+std::optional<BothFlanks> flanks_of(const DriveGear& gear, bool turned_over) {
+  const BothFlanks& flanks = gear.modifications;
   if (!turned_over) return flanks;
-  Flanks turned{flanks[1], flanks[0]};
+  BothFlanks turned{flanks[1], flanks[0]};
   for (FlankModifications& flank : turned) {
     if (flank.topography) return std::nullopt;
     flank.lead_slope = -flank.lead_slope;
@@ -207,7 +205,7 @@ std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t 
   const auto flanks = flanks_of(drive.graph.gear(drive.graph.meshes[mesh], 0), phase.turned);
   if (!flanks) return nullptr;
   ContactOptions options;
-  options.modifications[0] = {(*flanks)[0], (*flanks)[1]};
+  options.modifications[0] = *flanks;
   options.gear2_drives = !phase.first_drives;
   auto pair = contact_pair(*drive.geometry.racks[mesh], phase.turned ? turned_over(errors) : errors,
                            options);

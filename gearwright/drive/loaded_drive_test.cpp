@@ -21,7 +21,7 @@ namespace {
 
 using M = SetMember;
 
-std::array<FlankModifications, 2> crowned(double profile, double lead = 0.0) {
+BothFlanks crowned(double profile, double lead = 0.0) {
   FlankModifications flank;
   flank.profile_crowning = profile;
   flank.lead_crowning = lead;

@@ -119,7 +119,7 @@ struct PairStage {
   std::array<int, 2> teeth{};
   std::array<std::optional<CylindricalSpec>, 2> specs;
   std::array<std::optional<double>, 2> shifts;
-  std::array<std::array<FlankModifications, 2>, 2> modifications{};
+  PairModifications modifications{};
   std::array<std::optional<Bore>, 2> bores{};
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance, backlash;

@@ -20,8 +20,6 @@ constexpr double kSameRack = 1e-6;
 // Greatest normal pressure angle of the rack in degrees, the same as for a gear.
 constexpr double kMaxRackAngle = 60.0;
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 }  // namespace
 
 Result<ReferenceInput<double>> as_rack(const Gear& gear, const WantedRack& rack) {

@@ -69,6 +69,13 @@ struct FlankModifications {
   FormWave profile_wave{}, helix_wave{};
 };
 
+/// The modifications of the right and the left flank of a gear.
+using BothFlanks = std::array<FlankModifications, 2>;
+inline BothFlanks on_both_flanks(const FlankModifications& flank) { return {flank, flank}; }
+
+/// The modifications of gear 1 and of gear 2.
+using PairModifications = std::array<BothFlanks, 2>;
+
 /// The modifications that have an amount.
 enum class Modification {
   tip_relief,

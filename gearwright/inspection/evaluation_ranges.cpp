@@ -41,7 +41,7 @@ std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear) {
 std::optional<ActiveFlank> active_flank(const InvolutePair& pair, int which) {
   const Mesh<double>& m = pair.mesh;
   if (!pair.flanks_meet() || !(m.rho1_true_begin < m.rho1_true_end)) return std::nullopt;
-  const double r_b = pair.gears[static_cast<std::size_t>(which - 1)].base_radius();
+  const double r_b = pair.gears[which - 1].base_radius();
   const auto place = [r_b](double rho) {
     return RollPlace{2 * std::hypot(r_b, rho), rho, rho / r_b};
   };

@@ -118,7 +118,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
 template <class MeshOf>
 auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
   const ContactInput& input = job.spec.contact;
-  ContactRequest request{input.positions, input.pitches, input.marking, input.rotations};
+  ContactRequest request = input;
   request.progress = progress;
   ContactRequest other = request;
   for (const NamedInfluence& i : influences_of(job)) request.influences.push_back(i.influence);
@@ -240,10 +240,9 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
 ContactOptions rack_options(const SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
   ContactOptions options;
-  const auto& flanks = job.completed.gear(1).modifications;
-  options.modifications[0] = {flanks[0], flanks[1]};
+  options.modifications[0] = job.completed.gear(1).modifications;
   options.gear2_drives = input.driver == 2;
-  options.request = {input.positions, input.pitches, input.marking, input.rotations};
+  options.request = input;
   for (const NamedInfluence& i : influences_of(job))
     options.request.influences.push_back(i.influence);
   options.request.progress = progress;
@@ -268,7 +267,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
   const auto add_names = [&](ContactView& view) {
     view.marking = input.marking;
-    for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back({i.key, i.unit});
+    for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back(i);
   };
   add_names(answer);
   for (ContactView& half : answer.halves) add_names(half);
@@ -305,15 +304,14 @@ std::vector<NamedInfluence> influences_of(const SolvedJob& job) {
   const auto gears = static_cast<int>(job.gears.size());  // without a rack
   for (const ErrorEntry& e : error_entries()) {
     if (e.kind && e.gear <= gears)
-      list.push_back({fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
+      list.push_back({{fmt::format("{}_per_{}", e.name(), e.unit()), e.si()}, {*e.kind}});
   }
   for (int which = 1; which <= gears; ++which) {
     const auto& flanks = job.completed.gear(which).modifications;
     if (!any_modification(flanks)) continue;
     for (const ModificationEntry& m : modification_entries()) {
       if (!m.placed(flanks[0]) && !m.placed(flanks[1])) continue;
-      list.push_back({fmt::format("gear{}_{}_per_um", which, m.name),
-                      kMmPerUm,
+      list.push_back({{fmt::format("gear{}_{}_per_um", which, m.name), kMmPerUm},
                       {ErrorKind::center_distance, which, m.kind}});
     }
   }

@@ -26,11 +26,8 @@ Result<ContactSetup> setup_of(const SolvedJob& job);
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// The influence of one number of the spec, with the key of its derivative in results and the unit
-/// in this key.
-struct NamedInfluence {
-  std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
-  double unit = 1.0;  ///< one unit of the key, in rad or mm
+/// The influence of one number of the spec, with the key of its derivative in results.
+struct NamedInfluence : NamedSlope {
   Influence influence;
 };
 

@@ -240,8 +240,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
 }
 
 // Both halves of a double-helical gear are mirror images, so the rows describe both.
-DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
-                        UnitSystem units) {
+DataGroup modifications(const BothFlanks& flanks, bool halves, UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};
   bool one_sided = false, slope = false;
   for (const ModificationEntry& entry : modification_entries()) {
@@ -328,7 +327,7 @@ DataGroup mate(const SolvedJob& job, int which, const std::string& number_of_mat
 
 std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
                                          const std::string& number_of_mate) {
-  const auto i = static_cast<std::size_t>(which - 1);
+  const std::size_t i = which - 1;
   const GearInput& input = *job.completed.gears[i];
   const UnitSystem units = job.spec.units();
   Records gear{gear_quantities().of(job.gears[i]), units};

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/printable.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/job/drive_job.hpp"
@@ -110,7 +109,6 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
     report.files = report_files(files);
     report.spec_text = job.spec.text;
     report.units = job.spec.units();
-    report.version = kVersion;
     files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
                                  "one self-contained page", drive_report_html(report)});
   }

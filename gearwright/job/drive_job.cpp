@@ -199,30 +199,39 @@ std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, cons
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<Error> contradictory_load(const JobSpec& spec, const Drive& drive) {
+bool loads_differ(double own, double other) {
   constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
                                       // rounding errors
-  const auto differ = [](double own, double rated) {
-    return std::abs(std::abs(own) - std::abs(rated)) > kSameLoad * std::abs(own);
-  };
+  return std::abs(std::abs(own) - std::abs(other)) > kSameLoad * std::abs(own);
+}
+
+}  // namespace
+
+std::optional<Error> other_torque(const char* field, double torque, const Drive& drive) {
+  const auto& own = drive.graph.torque_Nm;
+  if (!own || !loads_differ(*own, torque)) return std::nullopt;
+  return Error{
+      field, format_number(torque),
+      fmt::format(
+          "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
+          format_number(*own))};
+}
+
+std::optional<Error> contradictory_load(const JobSpec& spec, const Drive& drive) {
   const auto& own = drive.graph.torque_Nm;
   const auto& rated = spec.rating.torque;
   const auto& speed = spec.rating.input.speed;
-  if (own && rated && differ(*own, *rated)) {
+  const auto other = rated ? other_torque("rating.torque_Nm", *rated, drive) : std::nullopt;
+  if (other) {
     if (const auto& power = spec.rating.power)
       return Error{"rating.power_kW", format_number(*power),
                    fmt::format("is a torque of {} N m at {} 1/min, which contradicts the torque of "
                                "{} N m on the input of the drive; leave out one of the two",
                                format_number(*rated), format_number(*speed), format_number(*own))};
-    return Error{
-        "rating.torque_Nm", format_number(*rated),
-        fmt::format(
-            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
-            format_number(*own))};
+    return other;
   }
-  if (speed && !drive.graph.speeds_rpm.empty() && differ(drive.graph.speeds_rpm.front(), *speed))
+  if (speed && !drive.graph.speeds_rpm.empty() &&
+      loads_differ(drive.graph.speeds_rpm.front(), *speed))
     return Error{
         "rating.speed_rpm", format_number(*speed),
         fmt::format(

@@ -36,6 +36,10 @@ Result<DriveJob> solve_drive(const JobSpec& spec);
 /// Returns the [errors] of a spec for each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
+/// Returns an error of `field` if `torque`, in N m, differs from the torque on the input of the
+/// drive. None if the drive has no torque.
+std::optional<Error> other_torque(const char* field, double torque, const Drive& drive);
+
 /// Returns an error if the torque or the speed of [rating] contradicts that of the drive.
 std::optional<Error> contradictory_load(const JobSpec& spec, const Drive& drive);
 

@@ -16,9 +16,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
-                                      // rounding errors
-
 // Returns an error if the spec gives keys of [load] that apply only to a single pair.
 std::optional<Error> not_for_drives(const JobSpec& spec) {
   for (const char* key :
@@ -41,14 +38,9 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
     return absent_input("load.torques",
                         "; a drive under load needs a torque. Give torque_Nm on the input of the "
                         "drive or in [load]");
-  if (own && !given.empty() &&
-      std::abs(std::abs(*own) - given.front()) > kSameTorque * std::abs(*own))
-    return Error{
-        "load.torques", format_number(given.front()),
-        fmt::format(
-            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
-            format_number(*own))};
-  return given.empty() ? std::abs(*own) : given.front();
+  if (given.empty()) return std::abs(*own);
+  if (auto error = other_torque("load.torques", given.front(), drive)) return *error;
+  return given.front();
 }
 
 // Returns the position errors of the pins in mm. If the drive has one set of planets, a single
@@ -75,7 +67,7 @@ void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
   for (const Warning& w : warnings) {
     if (w.code != WarningCode::held_at_rim_as_drawn && w.code != WarningCode::held_at_half_the_root)
       continue;
-    const auto side = static_cast<std::size_t>(w.gear - 1);
+    const std::size_t side = w.gear - 1;
     const std::size_t gear = drive.graph.meshes[mesh].gears[side];
     if (has_earlier_mesh(drive, gear, mesh)) continue;
     drive.findings.push_back(held_without_bore(drive.graph.gears[gear].name, w.code,

@@ -24,13 +24,6 @@ bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
   return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
 }
 
-struct FoundDrives {
-  DriveSearchProblem problem;
-  DriveSearchResult result;
-  DriveDesigns designs;
-  std::optional<double> default_face_load{};
-};
-
 // Returns a change that the user may try if the search finds no drive.
 std::string advice(const FoundDrives& f) {
   auto left_out = f.designs.left_out;
@@ -244,8 +237,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   const auto found = std::make_shared<FoundDrives>(
       FoundDrives{problem, std::move(result).take(), std::move(designs).take(), face_load});
   Answer answer;
-  answer.record["search"] = to_json(
-      drive_search_quantities().of({&found->problem, &found->result, &found->designs, face_load}));
+  answer.record["search"] = to_json(drive_search_quantities().of(*found));
   for (const FoundDrive& d : found->designs.list)
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
   answer.why_none = "no drive satisfies all limits";

@@ -8,7 +8,6 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/subject.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/mesh_files.hpp"
@@ -350,7 +349,6 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.units = job.spec.units();
-  report.version = kVersion;
   std::vector<JobFile> all;
   if (options.wants("report")) {
     all.push_back({folder / "report.html", "report", std::nullopt, "one self-contained page",

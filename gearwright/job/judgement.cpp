@@ -37,15 +37,7 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
     changed = std::move(again);
     return answer ? std::optional(answer->judged()) : std::nullopt;
   };
-  if (parts.rating) {
-    const RatingAnswer& r = *parts.rating;
-    with.rating = JudgedRating{.pair = &r.pair,
-                               .input = &r.input,
-                               .rating = &r.rating,
-                               .wanted = r.wanted,
-                               .spectrum = r.spectrum ? &*r.spectrum : nullptr,
-                               .steps = r.steps};
-  }
+  if (parts.rating) with.rating = *parts.rating;
   Verdict verdict = judge(static_cast<const Arranged&>(job), with);
   for (Finding& f : verdict.findings)
     f.message = spelled(f.message, job.spec.given, f.gear == 0 ? "" : gear_field(f.gear));

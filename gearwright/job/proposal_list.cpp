@@ -91,7 +91,7 @@ GradeDeviations grade_deviations(const SolvedJob& job) {
   bool any = false;
   const double face = std::min(job.gear(1).spec.face_width, job.gear(2).spec.face_width);
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     const ToleranceInput& own = job.spec.gears[i]->tolerance;
     const RatingInput& rating = job.spec.rating.input;
     std::optional<int> grade = own.quality;

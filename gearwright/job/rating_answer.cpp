@@ -122,7 +122,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   answer.pair = *rated;
   if (job.halves[0]) answer.pair.halves = 2;
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     auto material = material_of(job.spec.gears[i]->material, material_table(job.spec, which),
                                 table.input.edition);
     if (!material) return material.error();

@@ -108,15 +108,8 @@ bool encloses(double a, double b, double x) {
   return x >= std::min(a, b) - noise && x <= std::max(a, b) + noise;
 }
 
-template <class Record>
-auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record.front()) {
-  const auto it =
-      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.info == info; });
-  return it == record.end() ? nullptr : &*it;
-}
-
 const Value* drawn_value(const ValueRecord& record, const QuantityInfo* info) {
-  const Member* const m = same_quantity(record, info);
+  const Member* const m = member_for(record, info);
   return m ? &m->value : nullptr;
 }
 
@@ -150,7 +143,7 @@ Json interval_of(const Value& lower, const Value& upper, const Value* excluded) 
 Json interval_of(const ValueRecord& lower, const ValueRecord& upper, const ValueRecord& excluded) {
   Json j = Json::object();
   for (const Member& m : lower) {
-    const Member* other = same_quantity(upper, m.info);
+    const Member* other = member_for(upper, m.info);
     if (!other) continue;
     Json value = interval_of(m.value, other->value, drawn_value(excluded, m.info));
     if (!value.is_null()) j[m.info->key] = std::move(value);
@@ -162,7 +155,7 @@ Json interval_of(const ValueRecord& lower, const ValueRecord& upper, const Value
 bool keep_differing(ValueRecord& lower, ValueRecord& upper, const ValueRecord& excluded) {
   bool any = false;
   for (Member& m : lower) {
-    Member* const other = same_quantity(upper, m.info);
+    Member* const other = member_for(upper, m.info);
     const Value* const drawn = drawn_value(excluded, m.info);
     bool kept = false;
     if (other && m.value.record() && other->value.record()) {
@@ -178,7 +171,7 @@ bool keep_differing(ValueRecord& lower, ValueRecord& upper, const ValueRecord& e
     if (other) other->shown = other->shown && kept;
     any = any || m.shown;
   }
-  for (Member& m : upper) m.shown = m.shown && same_quantity(lower, m.info);
+  for (Member& m : upper) m.shown = m.shown && member_for(lower, m.info);
   return any;
 }
 
@@ -207,8 +200,8 @@ void enclose(Value& lower, Value& upper, const Value& other) {
 
 void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other) {
   for (Member& m : lower) {
-    Member* const second = same_quantity(upper, m.info);
-    const Member* const third = same_quantity(other, m.info);
+    Member* const second = member_for(upper, m.info);
+    const Member* const third = member_for(other, m.info);
     if (second && third) enclose(m.value, second->value, third->value);
   }
 }

@@ -42,7 +42,7 @@ class Writer {
 
   /// Adds a gear on a shaft, with its flanks and its tool. Returns the id of the gear.
   std::string gear(const Gear& gear, const std::string& name, const std::string& shaft,
-                   const std::array<FlankModifications, 2>& modifications) {
+                   const BothFlanks& modifications) {
     const CylindricalSpec& s = gear.spec;
     const std::string id = add(gear.internal() ? "ring_gear" : "cylindrical_gear", name);
     RexsComponent& g = last();
@@ -202,7 +202,7 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
     const Gear& gear = job.pair->gear(which);
     const std::string name = gear_field(which);
     if (auto error = not_in_rexs(gear, name)) return *error;
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     shafts[i] = writer.shaft("shaft " + std::to_string(which));
     gears[i] = writer.gear(gear, name, shafts[i], job.spec.gear(which).modifications);
   }

@@ -41,7 +41,7 @@ class Grades {
   std::optional<Error> add() {
     const ScatterInput& input = job_.spec.scatter;
     for (const int which : {1, 2}) {
-      const auto i = static_cast<std::size_t>(which - 1);
+      const std::size_t i = which - 1;
       const ToleranceInput& own = job_.completed.gear(which).tolerance;
       const std::optional<int> quality =
           input.quality ? std::optional((*input.quality)[i]) : own.quality;
@@ -366,10 +366,7 @@ Result<ScatterAnswer> prepared_scatter(const SolvedJob& job) {
   if (!made) return made.error();
   ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
-  VariedInputs inputs = std::move(varied).take();
-  task.tolerances = std::move(inputs.tolerances);
-  task.correlations = std::move(inputs.correlations);
-  task.groups = std::move(inputs.groups);
+  static_cast<VariedInputs&>(task) = std::move(varied).take();
   const ContactInput& contact = job.spec.contact;
   task.member = {
       job.spec.given.contains("contact.positions") ? contact.positions : kScatterPositions,

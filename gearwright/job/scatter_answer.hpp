@@ -38,11 +38,6 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
     const JobSpec& spec, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
 
-struct VariedInputs {
-  std::vector<ScatterTolerance> tolerances;
-  std::vector<ToleranceCorrelation> correlations;
-  std::vector<ToleranceGroup> groups;
-};
 /// Domain    a job with a pair (contract)
 /// Errors    the key in [scatter], or the key of an accuracy grade, whose value is impossible. The
 ///           kind of the error is `no_flank` if an accuracy grade is given for a gear that has no

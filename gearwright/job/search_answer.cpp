@@ -7,7 +7,6 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/listing.hpp"
@@ -344,7 +343,6 @@ std::string search_page(const JobSpec& spec, const Search& search, const SearchR
                         .search = search,
                         .answer = run.answer,
                         .reasons = reasons_of(search.problem(), run, spec.units()),
-                        .version = kVersion,
                         .units = spec.units()});
 }
 

@@ -89,8 +89,7 @@ std::string spelled_list(const std::vector<std::string>& fields) {
   return text;
 }
 
-// Returns the reason that rejects the drawing of a design, in words. If the message of a finding
-// does not name its gear, the name of the gear precedes the message.
+// Returns the reason that rejects the drawing of a design, in words.
 std::string finding_words(const SearchProblem& problem, const DesignRow& row) {
   const auto found = finding_of_drawing(problem, row);
   if (!found) {
@@ -98,11 +97,7 @@ std::string finding_words(const SearchProblem& problem, const DesignRow& row) {
     return fmt::format("The pair cannot be drawn. {}{}{}.", error.field,
                        error.field.empty() ? "" : ": ", error.rule);
   }
-  const std::optional<Finding>& finding = *found;
-  if (!finding) return "The drawn pair cannot be rated.";
-  const bool unnamed =
-      finding->gear > 0 && finding->at.empty() && meaning_of(finding->code).gear_unnamed;
-  return (unnamed ? fmt::format("Gear {}: ", finding->gear) : std::string()) + finding->whole();
+  return *found ? (*found)->named() : "The drawn pair cannot be rated.";
 }
 
 }  // namespace

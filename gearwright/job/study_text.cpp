@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/figure/markup.hpp"
@@ -224,7 +223,6 @@ std::string study_page(const JobSpec& spec, const StudyRun& run) {
   for (const std::string& words : {lost_words(spec, run), jam_words(run)})
     if (!words.empty()) report.sentence += " " + words;
   report.spec_text = spec.text;
-  report.version = kVersion;
   report.percentile = percent_words(spec);
   each_shown(spec, [&](const auto&, const auto& head, const auto& unit, const auto& meaning) {
     report.columns.push_back({escaped(head), unit, meaning});

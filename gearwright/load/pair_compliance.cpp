@@ -215,7 +215,7 @@ Result<PairCompliance> pair_compliance(
 
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which) {
-  const auto g = static_cast<std::size_t>(which - 1);
+  const std::size_t g = which - 1;
   return of_a.accuracy == of_b.accuracy && of_a.root_stress == of_b.root_stress &&
          of_a.regime == of_b.regime && same_slices(slices_of(a, g, of_a), slices_of(b, g, of_b)) &&
          same_body(of_a.bodies[g], of_b.bodies[g]) && same_tooth(*a[g], *b[g]);

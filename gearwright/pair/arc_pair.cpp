@@ -33,7 +33,7 @@ double pitch_radius(const Gear& gear) { return gear.reference_diameter / 2; }
 
 std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
   for (const int which : {1, 2}) {
-    const Gear& gear = gears[static_cast<std::size_t>(which - 1)];
+    const Gear& gear = gears[which - 1];
     if (gear.involute()) {
       return Error{gear_field(which, "rack"), "",
                    "an involute gear does not mesh with a circular-arc gear; give both gears a "
@@ -218,7 +218,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
              where, c.at.theta.deg(), pair.reference_center_distance));
   }
   for (const int which : {1, 2}) {
-    const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
+    const Gear& gear = pair.gears[which - 1];
     std::optional<Angle> written;
     if (const auto* rack = std::get_if<ArcRack>(&gear.spec.rack)) {
       written = rack->pressure_angle;
@@ -264,7 +264,7 @@ void warn_about_pair(ArcPair& pair) {
              pair.normal_backlash()));
   }
   for (const int which : {1, 2}) {
-    const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];
+    const double c = pair.tip_clearance[which - 1];
     if (c > 0.0) continue;
     pair.warnings.push_back(
         {WarningCode::root,

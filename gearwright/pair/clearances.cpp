@@ -38,7 +38,7 @@ std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double 
 
 std::optional<double> tip_that_clears(const std::array<const Gear*, 2>& gears,
                                       const Mesh<double>& mesh, int tip, double margin) {
-  const auto t = static_cast<std::size_t>(tip - 1);
+  const std::size_t t = tip - 1;
   const Gear& mate = *gears[2 - static_cast<std::size_t>(tip)];
   const Gear& gear = *gears[t];
   const auto form = mate.root_form_radius();

@@ -34,7 +34,7 @@ struct Body {
 };
 
 Body body_of(const MountedGears& pair, int which) {
-  const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
+  const Gear& gear = pair.gears[which - 1];
   const auto form = gear.root_form_radius();
   return {GapProfile(gear.tooth->outline),
           Pose<Housing, Own>(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),

@@ -33,7 +33,7 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
 // tooth. The mesh is at +x of the axis of the gear. The pair has no backlash, so both flanks touch
 // and no play is considered.
 double scanned(const ParallelPair& p, int which) {
-  const Gear& gear = p.gears[static_cast<std::size_t>(which - 1)];
+  const Gear& gear = p.gears[which - 1];
   const Gear& mate = p.gears[static_cast<std::size_t>(2 - which)];
   std::vector<Vec2> fillet;
   for (const Arc& arc : gear.tooth->outline.arcs) {

@@ -45,7 +45,7 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
 double nearer_at_ends(const InvolutePair& p, int tip) {
   if (!p.crossed_inside()) return 0.0;
   const bool ring = tip == 2;
-  const auto i = static_cast<std::size_t>(tip - 1);
+  const std::size_t i = tip - 1;
   const double r = p.gears[i].actual_tip_radius();
   const double half = p.gears[i].spec.face_width / 2;
   const double half_mate = p.gears[1 - i].spec.face_width / 2;

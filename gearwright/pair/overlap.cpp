@@ -74,7 +74,7 @@ std::string words(ArcName name) {
 }
 
 std::string part(const OutlineTouch& touch, int gear) {
-  const OutlinePlace& place = touch.places[static_cast<std::size_t>(gear - 1)];
+  const OutlinePlace& place = touch.places[gear - 1];
   const bool tip_corner = place.corner && place.arc == ArcName::flank;
   return fmt::format("{} of gear {}", tip_corner ? std::string("tip corner") : words(place.arc),
                      gear);
@@ -97,7 +97,7 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   if (const int gear = gear_with(touch, ArcName::root_fillet))
     return {CollisionCause::tip_to_fillet, gear};
   if (const int gear = gear_with(touch, ArcName::tip_fillet);
-      gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
+      gear > 0 && p.gears[gear - 1].tip_bulge)
     return {CollisionCause::tip_bulge, gear};
   // The tip corner of a pinion can cut into a tooth of an internal gear when the corner enters or
   // leaves the tooth space.
@@ -112,7 +112,7 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
 // the collision has another cause.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
-  const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
+  const Gear& gear = p.gears[cause.gear - 1];
   return fmt::format(
       " The tip of gear {} projects beyond its involute above a diameter of {:.4f} mm.", cause.gear,
       gear.tip_bulge->from_diameter);
@@ -148,7 +148,7 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
 // is greatest on the centre line. In a crossed internal pair, the depth is greatest at an end of a
 // face, and the result has no position.
 Collision in_root(const MountedGears& p, int tip) {
-  const auto i = static_cast<std::size_t>(tip - 1);
+  const std::size_t i = tip - 1;
   const double depth = -p.tip_clearance[i];
   OutlineTouch touch;
   touch.gap = 0.0;
@@ -262,8 +262,7 @@ void collide(Kind& p, double half_play, double normal_play, double saddle) {
   const double close = touching(p);
   p.overlap.emplace();
   for (int tip : {1, 2}) {
-    if (p.tip_clearance[static_cast<std::size_t>(tip - 1)] < -close)
-      p.overlap->push_back(in_root(p, tip));
+    if (p.tip_clearance[tip - 1] < -close) p.overlap->push_back(in_root(p, tip));
   }
   if (!p.overlap->empty()) return;
   double least = half_play;

@@ -53,7 +53,7 @@ class Pair {
   /// Gear 1 or gear 2.   Domain  which is 1 or 2 (contract)
   const Gear& gear(int which) const {
     GW_EXPECTS(which == 1 || which == 2);
-    return mounted().gears[static_cast<std::size_t>(which - 1)];
+    return mounted().gears[which - 1];
   }
   double gear_ratio() const { return mounted().gear_ratio(); }          ///< z2/z1
   double center_distance() const { return mounted().center_distance; }  ///< a  mm

@@ -12,8 +12,6 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 // Base pitches and base helix angles count as equal if they differ by at most 1e-9. The rounding of
 // values in degrees or mm causes smaller differences. A different helix angle causes greater ones.
 constexpr double kSamePitch = 1e-9;

@@ -136,7 +136,7 @@ void find_faults(RackPair& p) {
     return;
   }
   for (const int tip : {1, 2}) {
-    const double c = p.tip_clearance[static_cast<std::size_t>(tip - 1)];
+    const double c = p.tip_clearance[tip - 1];
     if (c >= -least) continue;
     warn(p, WarningCode::root, tip == 1 ? 2 : 1,
          fmt::format("The tip of the {} cuts {:.4f} mm into the root of the {}.",

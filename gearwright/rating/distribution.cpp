@@ -134,7 +134,7 @@ std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& sha
   const double tilt = std::tan(pair.beta_b) * std::tan(pair.alpha_wt);
   std::vector<double> f(z.size(), 0.0);
   for (const int which : {1, 2}) {
-    const auto& shaft = shafts.of[static_cast<std::size_t>(which - 1)];
+    const auto& shaft = shafts.of[which - 1];
     if (!shaft) continue;
     const RatedGear& gear = pair.gears[pair.place(which)];
     GW_EXPECTS(!gear.internal());

@@ -267,7 +267,7 @@ void Rater::check_limits() {
         "The stress correction factor Y_S applies to 1 ≤ q_s < 8, but this root fillet is outside "
         "this range.",
         which);
-    const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
+    const auto rim = in.rim[which - 1];
     const RatedGear& g = pair.gears[i];
     say(rim && *rim <= least_rim(g.side(), pair.normal_module, g.tooth_height).thickness,
         WarningCode::thin_rim, "The rim is thinner than the rim thickness factor Y_B allows.",
@@ -306,7 +306,7 @@ std::optional<Error> torque_or_strength_error(const RatingInput& in) {
   if (!(in.torque > 0.0))
     return refused("rating.torque", in.torque, "must be > 0 N m, the torque on gear 1");
   for (const int which : {1, 2}) {
-    const Material& m = in.materials[static_cast<std::size_t>(which - 1)];
+    const Material& m = in.materials[which - 1];
     const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
     const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
     if (!flank || !root)

@@ -13,10 +13,6 @@ constexpr double kDecades = 1e6;      // greatest factor between input torque an
 constexpr double kSameTorque = 1e-9;  // relative accuracy of the torque
 constexpr double kSameFace = 1e-7;    // relative accuracy of the face width
 
-bool holds(const Safeties& found, const Safeties& wanted) {
-  return found.flank >= wanted.flank && found.root >= wanted.root;
-}
-
 // Safety factors of both gears.
 using GearSafeties = std::array<Safeties, 2>;
 
@@ -58,6 +54,10 @@ double share_of_wanted(const GearSafeties& found, const Safeties& wanted) {
 }
 
 }  // namespace
+
+bool holds(const Safeties& found, const Safeties& wanted) {
+  return found.flank >= wanted.flank && found.root >= wanted.root;
+}
 
 bool holds(const Rating& rating, const Safeties& wanted) {
   return holds(safeties_of(rating), wanted);

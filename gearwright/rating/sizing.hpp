@@ -23,6 +23,18 @@ struct Safeties {
   double flank = 1.0, root = 1.0;
 };
 
+bool holds(const Safeties& found, const Safeties& wanted);
+
+/// A rating, with all inputs that are needed to rate the gears again.
+struct PairRating {
+  RatedPair pair{};
+  RatingInput input{};
+  Rating rating{};
+  Safeties wanted{};             ///< required safety factors
+  std::vector<LoadBin> steps{};  ///< of the load spectrum, with K_Hβ if it is computed
+  std::optional<SpectrumRating> spectrum{};
+};
+
 /// True if flank and root of both gears have the required safety factors.
 bool holds(const Rating& rating, const Safeties& wanted);
 

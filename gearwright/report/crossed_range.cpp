@@ -29,8 +29,6 @@ constexpr double kBeforeLimit = 1e-3;
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack cannot have α_wn = 0
 
-double deg(double rad) { return kDegPerRad * rad; }
-
 // Returns the transverse pressure angle of the limiting gear. The samples are spaced by this angle.
 // The pressure angle of the common rack is unsuitable as a parameter, because it is stationary at
 // the limit.

@@ -197,7 +197,6 @@ std::string drive_report_html(const DriveReportInput& input) {
                        planets_part(drive, input.units) + mesh_parts(drive, input.units) +
                        gears_part(drive, input.units) + file_section(input.files));
   return page_html({.title = input.title.empty() ? drive_title(drive) : input.title,
-                    .version = input.version,
                     .kind = escaped(drive_kind(drive)),
                     .verdict = escaped(sentence_in(input.units, input.verdict.headline)),
                     .level = to_string(input.verdict.level),

@@ -25,7 +25,6 @@ struct DriveReportInput {
   std::vector<ReportFile> files;
   std::string spec_text;              ///< the spec, verbatim; left out if empty
   UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
-  std::string version;                ///< version of the program
 };
 
 /// Returns the page in UTF-8.   Domain a drive (contract)

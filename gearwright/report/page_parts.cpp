@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/mesh.hpp"
@@ -35,15 +36,14 @@ std::string FigureForm::row(const std::vector<std::optional<Figure>>& figures,
   return side_by_side(shown);
 }
 
-std::string page_head(std::string_view title, std::string_view version,
-                      std::string_view more_style) {
+std::string page_head(std::string_view title, std::string_view more_style) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
       "name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
       "content=\"Gearwright "
       "{}\">\n<title>{}</title>\n<style>{}{}{}</style>\n</head>\n",
-      escaped(version), escaped(title), figure_style(), page_style(), more_style);
+      kVersion, escaped(title), figure_style(), page_style(), more_style);
 }
 
 std::string picture_hint() {
@@ -88,13 +88,13 @@ constexpr int kPitchSteps = 120;  // steps per pitch, of the slider and of the a
 
 std::string page_html(const ReportPage& page) {
   const std::string level = page.level.empty() ? "" : fmt::format("<b>{}</b> ", page.level);
-  return page_head(page.title, page.version, page.style) + "<body>\n" + page.definitions +
+  return page_head(page.title, page.style) + "<body>\n" + page.definitions +
          fmt::format(
              "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict{}{}\">{}{}</p>\n"
-             "{}</header>\n<main>\n{}</main>\n<footer>\n<p>Gearwright{}{}. {}</p>\n</footer>\n",
+             "{}</header>\n<main>\n{}</main>\n<footer>\n<p>Gearwright {}. {}</p>\n</footer>\n",
              page.kind, escaped(page.title), level.empty() ? "" : " ", page.level, level,
              page.verdict, page.head, with_contents(page.sections + spec_section(page.spec)),
-             page.version.empty() ? "" : " ", escaped(page.version), page.foot) +
+             kVersion, page.foot) +
          fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
                      zoom_script(), page_script(), page.script);
 }

@@ -57,15 +57,14 @@ std::string_view search_style();
 /// before printing. Without the script, the pictures are static and complete.
 std::string_view page_script();
 
-/// Returns the page from the doctype to </head>, including the style. `title` and `version` are
-/// plain text. `more_style` is added to the style of the page.
-std::string page_head(std::string_view title, std::string_view version,
-                      std::string_view more_style = "");
+/// Returns the page from the doctype to </head>, including the style. `title` is plain text.
+/// `more_style` is added to the style of the page.
+std::string page_head(std::string_view title, std::string_view more_style = "");
 
-/// A page with all its parts. Title, version, level and spec are plain text. `style` is CSS and
+/// A page with all its parts. Title, level and spec are plain text. `style` is CSS and
 /// `script` is JavaScript. All other texts are HTML.
 struct ReportPage {
-  std::string title, version;
+  std::string title;
   std::string kind;           ///< subject of the page, above the title
   std::string verdict;        ///< headline of the verdict, below the title
   std::string level{};        ///< level of the verdict, "green"; empty if there is none

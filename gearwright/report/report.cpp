@@ -290,7 +290,6 @@ std::string report_html(const ReportInput& input) {
                                                                       : "")) +
       picture_hint();
   return page_html({.title = input.title.empty() ? default_title(input) : input.title,
-                    .version = input.version,
                     .kind = kind_of(input),
                     .verdict = escaped(sentence_in(units, input.verdict.headline)),
                     .level = to_string(input.verdict.level),

@@ -58,7 +58,6 @@ struct ReportInput {
   std::vector<ReportFile> files;
   std::string spec_text;              ///< the spec, verbatim; omitted if empty
   UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
-  std::string version;                ///< version of the program
 };
 
 /// Returns the page in UTF-8.

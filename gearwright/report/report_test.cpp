@@ -322,7 +322,6 @@ TEST(Report, TextIsText) {
   const std::string evil = "<script>alert(1)</script>\"'&\x01";
   input.title = evil;
   input.spec_text = "</pre>" + evil;
-  input.version = evil;
   input.verdict.headline = evil;
   input.verdict.findings.push_back({WarningCode::undercut, Level::amber, 1, evil, evil});
   input.files.push_back({"javascript:alert(1)//\"<b>", evil, evil});

@@ -229,7 +229,6 @@ std::string search_report(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   return page_html(
       {.title = report.title.empty() ? "Design search, ratio " + band(problem.ratio) : report.title,
-       .version = report.version,
        .kind = escaped(kind_of(problem, report.units)),
        .verdict = search_verdict(report),
        .sections = search_sections(report),
@@ -271,7 +270,6 @@ std::string refused_section(const StudyReport& report) {
 
 std::string study_report(const StudyReport& report) {
   return page_html({.title = report.title,
-                    .version = report.version,
                     .kind = "Designs ranked under tolerances",
                     .verdict = escaped(report.sentence),
                     .sections = "<section>\n<h2>Ranking</h2>\n" + figure_of(report) +

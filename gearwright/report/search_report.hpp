@@ -28,7 +28,6 @@ struct SearchReport {
   /// changes that would help.
   std::vector<SearchReason> reasons;
   std::size_t rows = 200;             ///< number of designs in the table
-  std::string version;                ///< version of the program
   UnitSystem units = UnitSystem::mm;  ///< units of the lengths
 };
 
@@ -51,7 +50,6 @@ std::string search_report(const SearchReport& report);
 struct StudyReport {
   std::string title, sentence;
   std::string spec_text;   ///< the spec, verbatim; omitted if empty
-  std::string version;     ///< version of the program
   std::string percentile;  ///< "95 %"
   std::vector<TableColumn> columns;
   std::vector<TableRow> rows;                ///< best first

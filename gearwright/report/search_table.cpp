@@ -64,14 +64,8 @@ struct Column {
 
 TableCell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
 
-const Member* find(const ValueRecord& record, const QuantityInfo* info) {
-  const auto it =
-      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.info == info; });
-  return it == record.end() ? nullptr : &*it;
-}
-
 TableCell cell_of(const Column& column, const ValueRecord& record, UnitSystem units) {
-  const Member* member = find(record, column.info);
+  const Member* member = member_for(record, column.info);
   if (!member) return {std::string(kNoValue), std::nullopt};
   const Value& v = column.gear ? (*member->value.list())[*column.gear] : member->value;
   if (const auto* flag = std::get_if<bool>(&v.variant())) return mark(*flag, "yes");
@@ -90,7 +84,7 @@ std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
     const QuantityInfo* info = design_quantities().table().find(entry.key);
     GW_EXPECTS(info != nullptr);
     if (std::none_of(records.begin(), records.end(), [&](const ValueRecord& r) {
-          const Member* m = find(r, info);
+          const Member* m = member_for(r, info);
           return m && m->shown;
         }))
       continue;

@@ -44,7 +44,7 @@ TEST(SearchTable, ARowIsItsDesign) {
   const SearchSample sample = testing::spur_search();
   const std::string table = table_of(sample);
   for (int n : {1, 20, 56}) {
-    const DesignRow& row = sample.answer->designs[static_cast<std::size_t>(n - 1)];
+    const DesignRow& row = sample.answer->designs[n - 1];
     const auto c = cells(table, n);
     ASSERT_EQ(c.size(), 21u);
     EXPECT_EQ(c[0].text, std::to_string(n));

@@ -88,7 +88,7 @@ std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,
   const ContactErrors& errors = family.setup_.place().errors;
   const ContactPair pair = family.setup_.pair(errors, request.gear2_drives);
   for (const int which : {1, 2})
-    family.left_[static_cast<std::size_t>(which - 1)] =
+    family.left_[which - 1] =
         pair.patches(which).front().removal == family.setup_.removal(which, true);
   Deviation none;
   none.errors = errors;
@@ -118,7 +118,7 @@ void LinearFamily::add_position(GapSearch& search, double phi) {
       for (const ErrorKind kind : kErrorKinds)
         place.by_error[static_cast<std::size_t>(kind)] = search.slope(p, i, {kind});
       for (const int gear : {1, 2}) {
-        const auto g = static_cast<std::size_t>(gear - 1);
+        const std::size_t g = gear - 1;
         const RemovalTurn& t = place.removal[g] = search.turn(p, i, gear);
         place.drawn[g] = setup_.removal(gear, left_[g])->at(t.u, t.z, t.piece).c;
       }
@@ -149,7 +149,7 @@ double LinearFamily::greatest(const Row& row, const Member& m) const {
 double LinearFamily::peak_to_peak(const Deviation& deviation) const {
   const ContactErrors &e = deviation.errors, &d = setup_.place().errors;
   const auto slope = [&](int which) {
-    const auto g = static_cast<std::size_t>(which - 1);
+    const std::size_t g = which - 1;
     const Gear& gear = setup_.gear(which);
     return (e.helix_twist[g] - d.helix_twist[g]) * gear.reference_diameter / 2 *
            gear.spec.face_width;
@@ -159,7 +159,7 @@ double LinearFamily::peak_to_peak(const Deviation& deviation) const {
                 {}};
   const MemberSetup own(setup_, deviation);
   for (const int which : {1, 2}) {
-    const auto g = static_cast<std::size_t>(which - 1);
+    const std::size_t g = which - 1;
     const RemovalField* field = (*own).removal(which, left_[g]);
     if (field && changed(*field, *setup_.removal(which, left_[g]))) member.removal[g] = field;
   }

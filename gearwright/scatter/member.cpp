@@ -39,8 +39,8 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
   const double lever = std::abs(g2.base_radius()) * std::cos(g2.reference().base_helix_angle);
   double along_normal = 0.0;
   for (const int which : {1, 2}) {
-    along_normal += thickness[static_cast<std::size_t>(which - 1)] *
-                    std::cos(setup.gear(which).spec.normal_pressure_angle.rad());
+    along_normal +=
+        thickness[which - 1] * std::cos(setup.gear(which).spec.normal_pressure_angle.rad());
   }
   return along_normal / lever;
 }

@@ -56,13 +56,17 @@ struct ScatterPlan {
   bool loosening = false;
 };
 
-struct ScatterTask : ScatterPlan {
+/// The toleranced inputs of a family.
+struct VariedInputs {
   std::vector<ScatterTolerance> tolerances;
   /// Correlations of the scores of coordinates that check_correlations() accepts.
   std::vector<ToleranceCorrelation> correlations{};
   /// Every tolerance belongs to one group, and correlated tolerances belong to the same group. Used
   /// for `indices` only.
-  std::vector<ToleranceGroup> groups;
+  std::vector<ToleranceGroup> groups{};
+};
+
+struct ScatterTask : ScatterPlan, VariedInputs {
   MemberRequest member;
   std::uint64_t seed = 1;
   std::optional<LoadedFamily> load{};

@@ -172,8 +172,7 @@ TEST(Scatter, TheWorstMayLieInside) {
   ContactSetup setup = drawn.setup();
   for (const int which : {1, 2}) {
     const double slope = which == 1 ? -0.01077 : -0.00401;
-    drawn.errors.helix_twist[static_cast<std::size_t>(which - 1)] =
-        slope / (setup.gear(which).reference_diameter / 2 * 20);
+    drawn.errors.helix_twist[which - 1] = slope / (setup.gear(which).reference_diameter / 2 * 20);
   }
   setup = drawn.setup();
   ScatterTask task = task_of({testing::intersecting(0.046)}, 32, 32, 2);

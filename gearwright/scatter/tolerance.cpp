@@ -48,26 +48,25 @@ void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolera
          std::span<const double> x) {
   const double by = tolerance.unit * x[0];
   std::visit(
-      Overloaded{
-          [&](VaryingError error) { add_error(d, setup, error, by); },
-          [&](VaryingThickness t) { d.thickness[static_cast<std::size_t>(t.gear - 1)] += by; },
-          [&](VaryingModification m) {
-            if (by == 0.0) return;
-            d.modified = true;
-            for (auto& flank : d.modifications[static_cast<std::size_t>(m.gear - 1)])
-              member_of(m.parameter).amount_of(flank) += by;
-          },
-          [&](const VaryingBore& b) { add_bore(d.errors, b, by, tolerance.unit * x[1]); },
-          [&](const VaryingPitch& p) {
-            d.pitch[static_cast<std::size_t>(p.gear - 1)] =
-                uneven_pitch(setup.gear(p.gear), p, by, x[1] * kRadPerDeg, x[2]);
-          },
-          [&](const VaryingWave& w) {
-            d.modified = true;
-            for (auto& flank : d.modifications[static_cast<std::size_t>(w.gear - 1)])
-              wave_of(flank, w) = {static_cast<int>(std::lround(x[0])), x[1] * kRadPerDeg,
-                                   tolerance.unit * w.height};
-          }},
+      Overloaded{[&](VaryingError error) { add_error(d, setup, error, by); },
+                 [&](VaryingThickness t) { d.thickness[t.gear - 1] += by; },
+                 [&](VaryingModification m) {
+                   if (by == 0.0) return;
+                   d.modified = true;
+                   for (auto& flank : d.modifications[m.gear - 1])
+                     member_of(m.parameter).amount_of(flank) += by;
+                 },
+                 [&](const VaryingBore& b) { add_bore(d.errors, b, by, tolerance.unit * x[1]); },
+                 [&](const VaryingPitch& p) {
+                   d.pitch[p.gear - 1] =
+                       uneven_pitch(setup.gear(p.gear), p, by, x[1] * kRadPerDeg, x[2]);
+                 },
+                 [&](const VaryingWave& w) {
+                   d.modified = true;
+                   for (auto& flank : d.modifications[w.gear - 1])
+                     wave_of(flank, w) = {static_cast<int>(std::lround(x[0])), x[1] * kRadPerDeg,
+                                          tolerance.unit * w.height};
+                 }},
       tolerance.of);
 }
 
@@ -163,7 +162,7 @@ std::optional<Error> check_ends(const ContactSetup& setup,
       Deviation d = as_drawn(setup);
       add(d, setup, t, std::array{end, 0.0, 0.0});
       for (const int which : {1, 2}) {
-        const Angle lead = d.errors.cutter_lead[static_cast<std::size_t>(which - 1)];
+        const Angle lead = d.errors.cutter_lead[which - 1];
         if (auto error = check_cutter_lead(setup.gear(which), which, lead))
           return refuse(t, end, *error);
       }

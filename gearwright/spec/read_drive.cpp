@@ -65,10 +65,8 @@ void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec
 
 }  // namespace
 
-void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs) {
-  if (speeds == 0 || speeds == inputs) return;
-  t.fail("speed_rpm", fmt::format("has {} number{} for {} input{}; give one speed for each input",
-                                  speeds, speeds == 1 ? "" : "s", inputs, inputs == 1 ? "" : "s"));
+void need_speeds(const TableReader& t, const std::vector<double>& speeds_rpm, std::size_t inputs) {
+  if (const auto error = check_speeds(speeds_rpm, inputs)) t.fail("speed_rpm", error->rule);
 }
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
@@ -82,7 +80,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
   check_set_names(t, node, set);
-  check_speeds(t, set.speeds_rpm.size(), std::max<std::size_t>(set.inputs.size(), 1));
+  need_speeds(t, set.speeds_rpm, std::max<std::size_t>(set.inputs.size(), 1));
   return set;
 }
 
@@ -193,7 +191,7 @@ StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
     t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");
   pair.set_allowances(in.series);
   t.finish();
-  check_speeds(t, in.stage.speeds_rpm.size(), 1);
+  need_speeds(t, in.stage.speeds_rpm, 1);
   return in.stage;
 }
 

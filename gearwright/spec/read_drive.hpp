@@ -43,8 +43,8 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree);
 /// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 
-/// Fails if speed_rpm is given, but not with one number for each input of the drive.
-void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs);
+/// Fails as check_speeds() if the table gives other than one number for each input of the drive.
+void need_speeds(const TableReader& t, const std::vector<double>& speeds_rpm, std::size_t inputs);
 
 /// Returns the spec with [planetary] or [[stage]] replaced by the equivalent [drive].
 ///

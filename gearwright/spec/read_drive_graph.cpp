@@ -246,7 +246,7 @@ DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   if (graph.inputs.empty()) t.fail_absent("input", "; give the name of the driving body");
   if (output.empty()) t.fail_absent("output", "; give the name of the driven body");
   graph.output = output.front();
-  check_speeds(t, graph.speeds_rpm.size(), graph.inputs.size());
+  need_speeds(t, graph.speeds_rpm, graph.inputs.size());
   return graph;
 }
 

@@ -70,7 +70,7 @@ DriveSearchProblem read_drive_search(const Json& search) {
   check_members(t, p);
   t.any("material");
   t.finish();
-  check_speeds(t, p.base.speeds_rpm.size(), std::max<std::size_t>(p.base.inputs.size(), 1));
+  need_speeds(t, p.base.speeds_rpm, std::max<std::size_t>(p.base.inputs.size(), 1));
   if (p.modules.empty() && p.size_max < kInfinity)
     t.fail("size_max_mm",
            "is a length and needs normal_module_mm; without this key, all sizes are multiples of "

@@ -55,8 +55,7 @@ constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 
 /// and not here.
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
-std::array<FlankModifications, 2> read_modifications(TableReader& gear,
-                                                     const std::filesystem::path& folder);
+BothFlanks read_modifications(TableReader& gear, const std::filesystem::path& folder);
 
 /// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have
 /// any order, and every diameter must occur once with every z. A first line with these names, empty

@@ -183,7 +183,7 @@ Result<Topography> topography_from_csv(std::string_view csv) {
   return t;
 }
 
-std::array<FlankModifications, 2> read_modifications(TableReader& gear, const fs::path& folder) {
+BothFlanks read_modifications(TableReader& gear, const fs::path& folder) {
   FlanksInput input;
   const Json* node = gear.table("modifications");
   if (!node) return input.flanks;

@@ -19,7 +19,7 @@ Result<JobSpec> spec_with(const std::string& table, const fs::path& folder = {})
   return read_spec(kGear + table, SpecFormat::toml, folder);
 }
 
-const std::array<FlankModifications, 2>& flanks(const Result<JobSpec>& spec) {
+const BothFlanks& flanks(const Result<JobSpec>& spec) {
   if (!spec) throw std::runtime_error(spec.error().message());
   return spec->gears[0]->modifications;
 }

@@ -163,7 +163,7 @@ void share_shafts(const Json& tree, JobSpec& spec) {
   MeshShafts shafts;
   shafts.gear2_drives = spec.load.driver == 2;
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     const auto& gear = spec.gears[i];
     if (!gear || !gear->shaft) continue;
     const std::string key = gear_field(which, "shaft");

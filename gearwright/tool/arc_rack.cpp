@@ -217,14 +217,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
           "the arc of the flank has no point with this angle; its normal angles are {}° to {}°");
     }
   }
-  RackArc tip;
-  tip.cuts = ArcName::root_fillet;
-  tip.working = false;
-  tip.center_height = -rack.dedendum + rho;
-  tip.center_offset = y_c;
-  tip.radius = -rho;
-  tip.begin = Angle::radians(kHalfPi);
-  tip.end = flank.begin;
+  const RackArc tip = tip_rounding(-rack.dedendum + rho, y_c, rho, flank.begin);
   return RackOfArcs{rack.addendum, rack.dedendum, {tip, flank}};
 }
 

@@ -135,7 +135,7 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
   const double r_g = d.root_radius;
   const double sin_1 = std::sin(d.convex_begin.rad()), cos_1 = std::cos(d.convex_begin.rad());
 
-  RackArc tip, concave, step, convex;
+  RackArc concave, step, convex;
   concave.center_height = r.concave_height;
   concave.center_offset = kHalfPi + d.concave_offset;
   concave.radius = -r.concave_radius;
@@ -146,14 +146,6 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
     return refused("rack.step_depth", r.step_depth, {-point_at(concave, concave.begin).x()},
                    "must be less than {}, the depth at which the root begins");
   }
-  tip.cuts = ArcName::root_fillet;
-  tip.working = false;
-  tip.center_height = -r.dedendum + r_g;
-  tip.center_offset = kHalfPi;
-  tip.radius = -r_g;
-  tip.begin = Angle::radians(kHalfPi);
-  tip.end = concave.begin;
-
   convex.center_height = r.convex_height;
   convex.center_offset = -r.convex_offset;
   convex.radius = r.convex_radius;
@@ -173,6 +165,7 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
   step.radius = -d.step_radius;
   step.begin = Angle::radians(std::asin((step.center_height + r.step_depth) / d.step_radius));
   step.end = convex.begin;
+  const RackArc tip = tip_rounding(-r.dedendum + r_g, kHalfPi, r_g, concave.begin);
   return RackOfArcs{r.addendum, r.dedendum, {tip, concave, step, convex}};
 }
 

@@ -103,6 +103,10 @@ Vec2 point_at(const RackArc& arc, Angle tau) {
           arc.center_offset + arc.radius * std::cos(tau.rad())};
 }
 
+RackArc tip_rounding(double height, double offset, double radius, Angle end) {
+  return {ArcName::root_fillet, height, offset, -radius, Angle::radians(kHalfPi), end, false};
+}
+
 double reach(const RackOfArcs& rack) {
   GW_EXPECTS(!rack.arcs.empty());
   return point_at(rack.arcs.back(), rack.arcs.back().end).x();

@@ -41,6 +41,10 @@ constexpr double kSameRackPoint = 1e-6;
 
 Vec2 point_at(const RackArc& arc, Angle tau);
 
+/// Returns the rounding of the cutter's tip, from its lowest point to the normal angle `end`. Its
+/// centre is `height` above the datum line.
+RackArc tip_rounding(double height, double offset, double radius, Angle end);
+
 /// Returns the height of the end of the edge above the datum line, modules.
 double reach(const RackOfArcs& rack);
 

@@ -63,7 +63,7 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   std::vector<Finding> findings;
   const double m = pair.gear(1).spec.normal_module;
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     if (!runs_on_root(pair, which))
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
@@ -125,16 +125,16 @@ double rounded_down(double x) {
 
 }  // namespace
 
-std::string rating_remedy(const JudgedRating& rating) {
-  const RatedPair& pair = *rating.pair;
+std::string rating_remedy(const PairRating& rating) {
+  const RatedPair& pair = rating.pair;
   // A computed K_Hβ applies only to the face width and to the torque for which it was computed, so
   // no other face width or torque can be recommended.
-  const bool fixed = rating.input->face_load_computed;
+  const bool fixed = rating.input.face_load_computed;
   const auto face = fixed
                         ? std::nullopt
-                        : face_width_of_safety(pair, *rating.input, rating.wanted,
+                        : face_width_of_safety(pair, rating.input, rating.wanted,
                                                kMostFaceModules * pair.normal_module, rating.steps);
-  const auto steel = steel_of_safety(pair, *rating.input, rating.wanted, rating.steps);
+  const auto steel = steel_of_safety(pair, rating.input, rating.wanted, rating.steps);
   std::string text;
   if (face && *face > pair.face_width) {
     const double more = pair.halves * (*face - pair.face_width);
@@ -150,7 +150,7 @@ std::string rating_remedy(const JudgedRating& rating) {
       "on its own.",
       kMostFaceModules);
   if (rating.spectrum) return text;
-  const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
+  const auto torque = torque_of_safety(pair, rating.input, rating.wanted);
   // Rounding down ensures that the printed torque is permissible.
   if (torque)
     text += fmt::format(" The greatest permissible torque on gear 1 is {:g} N m.",
@@ -158,9 +158,9 @@ std::string rating_remedy(const JudgedRating& rating) {
   return text;
 }
 
-std::vector<Finding> rating_findings(const JudgedRating& rating) {
+std::vector<Finding> rating_findings(const PairRating& rating) {
   std::vector<Finding> findings;
-  const Rating& r = *rating.rating;
+  const Rating& r = rating.rating;
   const auto judge = [&](WarningCode code, std::string_view what, int gear, double safety,
                          double wanted) {
     if (safety >= wanted) return;
@@ -176,7 +176,7 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
          {{"safety", safety, false}, {"wanted", wanted, false}}});
   };
   for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
+    const std::size_t i = which - 1;
     if (!rating.spectrum) {
       judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
       judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);

@@ -23,11 +23,11 @@ std::vector<Finding> contact_findings(const PatternPlace& place);
 /// is sufficient, the text states this and, unless K_Hβ is computed from the load along the teeth,
 /// the greatest permissible torque. With a load spectrum, the safety factors are those under the
 /// spectrum, and the text has no torque.
-std::string rating_remedy(const JudgedRating& rating);
+std::string rating_remedy(const PairRating& rating);
 
 /// Returns one finding for each safety factor below its required value, under the spectrum or, if
 /// there is none, under the single load. The finding is red if the safety factor is below 1, and
 /// otherwise amber.
-std::vector<Finding> rating_findings(const JudgedRating& rating);
+std::vector<Finding> rating_findings(const PairRating& rating);
 
 }  // namespace gearwright::detail

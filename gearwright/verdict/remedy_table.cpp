@@ -146,7 +146,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
   if (of_pair || which > static_cast<int>(judged.gears.size())) return std::nullopt;
   const auto gear = [&](int n) -> const Gear& {
     GW_EXPECTS(n >= 1 && n <= static_cast<int>(judged.gears.size()));
-    return *judged.gears[static_cast<std::size_t>(n - 1)];
+    return *judged.gears[n - 1];
   };
   const double m = gear(1).spec.normal_module;
   const double outward = which > 0 ? gear(which).side() : 1.0;
@@ -200,8 +200,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     case A::bore:
       if (!gear(which).bore) return std::nullopt;
       // If the rim thickness is given for the rating, another bore does not change it.
-      if (finding.code == C::thin_rim && judged.rating &&
-          judged.rating->input->rim[static_cast<std::size_t>(which - 1)])
+      if (finding.code == C::thin_rim && judged.rating && judged.rating->input.rim[which - 1])
         return std::nullopt;
       lever.now = gear(which).bore->diameter;
       lever.direction *= static_cast<int>(outward);

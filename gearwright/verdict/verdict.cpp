@@ -122,8 +122,8 @@ std::string gears_alone(const Judged& judged) {
 
 // Returns the sentence about the safety factors, which are those under the load spectrum if there
 // is one.
-std::string safety_sentence(const JudgedRating& judged) {
-  if (!judged.spectrum) return safety_words({judged.rating});
+std::string safety_sentence(const PairRating& judged) {
+  if (!judged.spectrum) return safety_words({&judged.rating});
   const SpectrumRating& s = *judged.spectrum;
   return fmt::format(
       " Under the load spectrum, the lowest safety factor is {:.2f} against pitting and {:.2f} "
@@ -207,10 +207,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   }
   if (verdict.level == Level::green) return standing(judged);
   if (verdict.level == Level::red) return not_running(judged, verdict) + besides(judged, verdict);
-  const Finding& worst = verdict.findings.front();
-  const bool unnamed = worst.gear > 0 && worst.at.empty() && meaning_of(worst.code).gear_unnamed;
-  const std::string where = unnamed ? fmt::format("Gear {}: ", worst.gear) : "";
-  return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(),
+  return fmt::format("{} Check: {}{}", standing(judged), verdict.findings.front().named(),
                      besides(judged, verdict));
 }
 
@@ -218,7 +215,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
 // The list is empty if the warning refers to no such value.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
-    const Gear& gear = *judged.gears[static_cast<std::size_t>(w.gear - 1)];
+    const Gear& gear = *judged.gears[w.gear - 1];
     const auto& s_an = gear.tip_tooth_thickness_normal;
     // If the cutter of the gear is pointed, the tip of the gear is not.
     if (s_an && (gear.pointed() || w.code == WarningCode::thin_tip))
@@ -292,6 +289,11 @@ std::string Finding::whole() const {
   return remedy.empty() ? text : text + " " + remedy;
 }
 
+std::string Finding::named() const {
+  const bool unnamed = gear > 0 && at.empty() && meaning_of(code).gear_unnamed;
+  return unnamed ? fmt::format("Gear {}: {}", gear, whole()) : whole();
+}
+
 std::vector<Finding> findings_of(const Judged& judged) {
   GW_EXPECTS(!judged.gears.empty() && judged.warnings != nullptr);
   std::vector<Finding> findings;
@@ -352,19 +354,12 @@ std::optional<PatternPlace> pattern_place(const Judged& judged) {
   return place;
 }
 
-namespace {
-
-// True if `a` is listed before `b`. The more severe finding comes first. Findings of the same level
-// are in the order of WarningCode, with two exceptions. Green findings keep their order. Findings
-// about safety factors also keep their order, because rating_findings() has already sorted them.
-bool before(const Finding& a, const Finding& b) {
+bool is_listed_before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;
   if (is_safety(a.code) && is_safety(b.code)) return false;
   return a.code < b.code;
 }
-
-}  // namespace
 
 bool worse(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
@@ -375,7 +370,7 @@ Verdict verdict_of(const Judged& judged, std::vector<Finding> findings, const Tr
   GW_EXPECTS(!judged.gears.empty());
   Verdict verdict;
   verdict.findings = std::move(findings);
-  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), before);
+  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), is_listed_before);
   if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
   detail::add_remedies(verdict.findings, judged, attempt);
   verdict.headline = headline(judged, verdict);

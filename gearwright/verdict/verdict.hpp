@@ -84,6 +84,8 @@ struct Finding {
   /// Returns the tolerance ends at which the finding occurs, the message and the remedy, in this
   /// order. Empty parts are omitted.
   std::string whole() const;
+  /// Returns whole(), preceded by "Gear 1: " or "Gear 2: " if no part of it names the gear.
+  std::string named() const;
 };
 
 struct Verdict {
@@ -106,16 +108,6 @@ constexpr double kCentralPlace = 0.7;
 /// remain after a remedy that centres the contact.
 constexpr double kMiddlePlace = 0.1;
 
-/// A rating, with the inputs that are needed to rate the gears again for a remedy.
-struct JudgedRating {
-  const RatedPair* pair = nullptr;
-  const RatingInput* input = nullptr;
-  const Rating* rating = nullptr;
-  Safeties wanted{};
-  const SpectrumRating* spectrum = nullptr;  ///< null without a load spectrum
-  std::vector<LoadBin> steps{};              ///< of the spectrum
-};
-
 /// The data for a verdict. Its pointers must stay valid while a function below uses the data.
 struct Judged {
   std::vector<const Gear*> gears;  ///< one or two gears; the gears of `pair`, if it is set
@@ -134,7 +126,7 @@ struct Judged {
                             ///< ends
   std::optional<std::array<double, 2>> backlash_ends{};  ///< least and greatest j_n  mm, within the
                                                          ///< tolerances
-  std::optional<JudgedRating> rating{};                  ///< none if not computed
+  std::optional<PairRating> rating{};                    ///< none if not computed
 };
 
 /// True for a finding about a safety factor that is less than required.
@@ -177,6 +169,14 @@ using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, T
 ///
 /// Domain    one or two gears; `warnings` is set (contract)
 std::vector<Finding> findings_of(const Judged& judged);
+
+/// True if a verdict lists `a` before `b`. The more severe finding comes first. Findings of the same
+/// level are in the order of WarningCode, with two exceptions. Green findings keep their order.
+/// Findings about safety factors also keep their order, because findings_of() has already sorted
+/// them.
+///
+/// Law       a strict weak order
+bool is_listed_before(const Finding& a, const Finding& b);
 
 /// True if `a` is worse than `b`, which means that its level is more severe or, for equal
 /// levels, that its first value is less. Both findings must have the same code and gear.

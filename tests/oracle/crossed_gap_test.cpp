@@ -25,7 +25,7 @@ constexpr double kCrossedTight = 1e-8;   // mm
 class Screwed {
  public:
   Screwed(const InvolutePair& pair, int which)
-      : gear_(pair.gears[static_cast<std::size_t>(which - 1)]),
+      : gear_(pair.gears[which - 1]),
         place_(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
         section_(std::abs(gear_.spec.teeth), curves_of(gear_.tooth->outline)) {}
 

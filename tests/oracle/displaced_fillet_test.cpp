@@ -92,10 +92,10 @@ Outline outline_of(const Gear& gear, double delta) {
 class Solid {
  public:
   Solid(const DisplacedPair& pair, int which)
-      : gear_(pair.gears[static_cast<std::size_t>(which - 1)]),
+      : gear_(pair.gears[which - 1]),
         place_(place_of(pair, which)),
         sign_(gear_.internal() ? -1.0 : 1.0),
-        delta_(pair.errors.cutter_lead[static_cast<std::size_t>(which - 1)].rad()),
+        delta_(pair.errors.cutter_lead[which - 1].rad()),
         twist_(twist_of(gear_, delta_)),
         outline_(outline_of(gear_, delta_)),
         section_(std::abs(gear_.spec.teeth), curves_of(outline_)) {

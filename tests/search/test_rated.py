@@ -242,6 +242,16 @@ class Nothing(Asked):
         better = f'[gear1.material]\nname = {steels[0]["to"]}\n'
         self.assertGreater(search(rated(better + LOAD))["feasible_count"], 0)
 
+    def test_the_lowest_safety_rejects_a_drawing(self):
+        # Both safeties are less than 1. The verdict lists the lower one first, here that of the flanks. Regression: the search
+        # named the safety of the roots, as its code comes first.
+        found = search(spec({"ratio": [2.5, 2.5], "modules_mm": [2], "pinion_teeth": [20, 20], "face_width_mm": 20, "helix_angle_deg": 12,
+                             "center_distance_mm": [70, 75], "thickness_series": "cd25", "objective": "safety"},
+                            STEEL + LOAD.replace("power_kW = 20", "power_kW = 25")))
+        self.assertLess(min(found["safest"]["S_H"]), min(found["safest"]["S_F"]))
+        self.assertEqual(found["rejected_by_finding"], {"flank_safety": 1})
+        self.assertIn("against pitting", found["safest_finding"])
+
     def test_the_finding_that_rejects_the_safest_design(self):
         # The safeties are sufficient, but the least centre distance is smaller than the backlash-free one.
         text = spec({"ratio": [2.5, 2.5], "modules_mm": [2], "pinion_teeth": [20, 20], "face_width_mm": 20, "helix_angle_deg": 12,

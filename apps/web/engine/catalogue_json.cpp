@@ -31,28 +31,6 @@ const char* name_of(const Names& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-// A suffix of keys and its unit as users read it. The list contains only the suffixes of units that
-// are no enumerators of Unit.
-struct Ending {
-  std::string_view suffix, unit;
-};
-constexpr std::array<Ending, 6> kEndings{{{"HV", "HV"},
-                                          {"kg_per_m3", "kg/m³"},
-                                          {"mm2_s", "mm²/s"},
-                                          {"h", "h"},
-                                          {"m2K_per_W", "m²K/W"},
-                                          {"m2", "m²"}}};
-
-Ending ending_of(std::string_view key) {
-  for (const Ending& e : kEndings) {
-    const std::size_t n = e.suffix.size();
-    if (key.size() > n && key.ends_with(e.suffix) && key[key.size() - n - 1] == '_') return e;
-  }
-  const Unit unit = unit_of(key);
-  if (unit == Unit::none) return {};
-  return {unit_suffix(unit).substr(1), unit_text(unit)};
-}
-
 Json texts(const std::vector<std::string_view>& list) {
   return Json(std::vector<std::string>(list.begin(), list.end()));
 }
@@ -60,14 +38,14 @@ Json texts(const std::vector<std::string_view>& list) {
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json key_json(const Key& k) {
-  const auto [suffix, unit] = ending_of(k.key);
+  const Unit unit = unit_of(k.key);
   Json tables = Json::array();
   for (const auto& table : k.tables) tables.push_back(table().name);
   Json j{{"key", k.key},
          {"symbol", k.symbol},
          {"kind", k.kind == KeyKind::text && k.list ? "any" : name_of(kKinds, k.kind)},
-         {"unit", unit},
-         {"suffix", suffix},
+         {"unit", unit_text(unit)},
+         {"suffix", unit == Unit::none ? "" : unit_suffix(unit).substr(1)},
          {"words", texts(k.words)},
          {"range", nullptr},
          {"list", nullptr},

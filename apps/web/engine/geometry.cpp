@@ -59,7 +59,7 @@ std::optional<Error> Session::no_gear_2() const {
 
 std::vector<NamedCircle> Session::circles(int gear) const {
   std::vector<NamedCircle> circles;
-  const auto which = static_cast<std::size_t>(gear - 1);
+  const std::size_t which = gear - 1;
   if (which >= job_.gears.size()) return circles;  // gear 2 is a rack, which has no circles
   append_circles(circles, gear_quantities().of(job_.gears[which]), which);
   if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
@@ -90,7 +90,7 @@ Result<Json> Session::mesh_figure(const MeshView& view) const {
     if (!contour) return contour.error();
     if (const auto bore = bore_contour(*made, contour->inner_radius, contour->outer_radius); !bore)
       return spelled(within(made->name, bore.error()), job_.spec.given);
-    const auto i = static_cast<std::size_t>(gear - 1);
+    const std::size_t i = gear - 1;
     scene.gears.push_back(&job_.gears[i]);
     scene.shapes[i] = view.name + "-gear" + std::to_string(gear);
     scene.circles[i] = circles(gear);

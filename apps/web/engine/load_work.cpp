@@ -75,7 +75,7 @@ std::optional<Error> LoadWork::make_table() {
   const int which = tables_[0] ? 2 : 1;
   auto table = kept_->of({&gear_1, &gear_2}, which, task_.request);
   if (!table) return table.error();
-  tables_[static_cast<std::size_t>(which - 1)] = *table;
+  tables_[which - 1] = *table;
   if (which == 1) return std::nullopt;
   pair_ = task_.pair();
   auto made = pair_compliance(gear_1, gear_2, task_.request, tables_);

@@ -25,8 +25,6 @@
 
 namespace gearwright::testing {
 
-using BothFlanks = std::array<FlankModifications, 2>;  // right, left
-
 struct ModifiedGear {
   std::string name;
   Gear gear;

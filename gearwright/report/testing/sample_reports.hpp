@@ -188,7 +188,6 @@ ReportInput report_input(const Kind& pair) {
   judge(input, warnings_of(pair));
   input.files = {{"gear1.step", "STEP solid of gear 1", "within 0.9 µm"}};
   input.spec_text = "[gear1]\nteeth = 17\n";
-  input.version = "0.0.0";
   return input;
 }
 

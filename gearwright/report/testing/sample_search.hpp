@@ -16,7 +16,7 @@ struct SearchSample {
   std::shared_ptr<const Search> search;
   std::shared_ptr<const SearchAnswer> answer;
   SearchReport report(std::size_t rows = 200) const {
-    return {"Sample", "[search]\nratio = [1.9, 2.1]\n", *search, *answer, {}, rows, "0.0.0"};
+    return {"Sample", "[search]\nratio = [1.9, 2.1]\n", *search, *answer, {}, rows};
   }
 };
 

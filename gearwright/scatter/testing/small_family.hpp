@@ -21,8 +21,7 @@ inline LoadedFamily loaded_family(const ContactSetup& setup, std::vector<double>
   request.accuracy = ComplianceAccuracy::draft;
   request.root_stress = false;
   for (const int which : {1, 2})
-    request.bodies[static_cast<std::size_t>(which - 1)] = {0.5 * setup.gear(which).root_diameter,
-                                                           0.3, 206000.0};
+    request.bodies[which - 1] = {0.5 * setup.gear(which).root_diameter, 0.3, 206000.0};
   auto compliance = pair_compliance(setup.gear(1), setup.gear(2), request);
   EXPECT_TRUE(compliance);
   return {std::move(compliance).take(), request, samples};
