@@ -277,7 +277,8 @@ std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arr
   const SearchRating& asked = *problem.rating;
   const auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
-  RatedDrawing rated{*pair, asked.input, {}, {}};
+  RatedDrawing rated{
+      *pair, asked.input_of(arranged.gear(1).spec.teeth, arranged.gear(2).spec.teeth), {}, {}};
   if (asked.web) rated.input.body = rated_body(*pair, *asked.web, *asked.rim);
   auto rating = rate(rated.pair, rated.input);
   if (!rating) return std::nullopt;
