@@ -33,7 +33,8 @@ bool gives_band(const Json& node) {
   return backlash != node.end() && backlash->is_array() && backlash->size() == 2;
 }
 
-// Rejects a number or a material of a gear or a mesh that the set does not have.
+}  // namespace
+
 void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec& set) {
   std::vector<std::string> gears, meshes;
   for (std::size_t m = 0; m < kSetMembers; ++m)
@@ -62,8 +63,6 @@ void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec
     }
   }
 }
-
-}  // namespace
 
 void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs) {
   if (speeds == 0 || speeds == inputs) return;

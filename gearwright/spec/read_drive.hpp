@@ -43,6 +43,10 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree);
 /// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 
+/// Rejects a number or a material of a gear or a mesh that the set does not have. `node` is a table
+/// with keys of [planetary], read by `t`.
+void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec& set);
+
 /// Fails if speed_rpm is given, but not with one number for each input of the drive.
 void check_speeds(const TableReader& t, std::size_t speeds, std::size_t inputs);
 
