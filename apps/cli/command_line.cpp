@@ -70,6 +70,13 @@ void csv_flag(CLI::App* sub, Options& o) {
   sub->add_flag("--csv", o.csv, "Print only a table for a spreadsheet (CSV)")->excludes("--json");
 }
 
+void sheet_option(CLI::App* sub, Options& o) {
+  sub->add_option("--sheet", o.sheet,
+                  "Sheet of the workshop drawing, A4 or A3 (default: A4, or A3 if the scale on A4 "
+                  "would be smaller than 1:2)")
+      ->check(CLI::IsMember({"A4", "A3"}));
+}
+
 void strict_flag(CLI::App* sub, Options& o) {
   sub->add_flag("--strict", o.strict, "Exit with status 4 if the verdict is not green");
 }
@@ -118,6 +125,7 @@ void CommandLine::add_run() {
   run->add_option(
       "--only", o.only,
       fmt::format("Write only these files, separated by commas: {}", fmt::join(kRunParts, ", ")));
+  sheet_option(run, o);
 }
 
 void CommandLine::add_answering() {
@@ -210,11 +218,7 @@ void CommandLine::add_files() {
   files->add_option("--rexs", o.rexs,
                     "REXS 1.7 file (exchange format for gear units) of a pair or a drive: .rexs, "
                     ".rexsj for JSON, or .rexsz for a ZIP archive");
-  files
-      ->add_option("--sheet", o.sheet,
-                   "Sheet of the workshop drawing, A4 or A3 (default: A4, or A3 if the scale on A4 "
-                   "would be smaller than 1:2)")
-      ->check(CLI::IsMember({"A4", "A3"}));
+  sheet_option(files, o);
   files
       ->add_option("--step-schema", o.step_schema,
                    "Schema of the STEP file: ap242 (default), or ap214 for older systems")

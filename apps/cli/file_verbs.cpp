@@ -45,6 +45,7 @@ FileOptions file_options(const Options& o) {
   FileOptions options = o.files;
   options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
   options.on_file = SlowProgress();
+  if (!o.sheet.empty()) options.sheet = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
   return options;
 }
 
@@ -93,47 +94,68 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
                  job->drive.findings);
 }
 
-int end_export(const Options& o, const Door& door, UnitSystem units,
-               const std::vector<Result<JobFile>>& made, const std::vector<Warning>& warnings) {
-  std::vector<JobFile> files;
-  for (const Result<JobFile>& file : made) {
-    if (!file) return door.fail(file.error());
-    files.push_back(*file);
-  }
-  write_files(files);
-  if (o.json) {
-    print_json(
-        in_units(units, {{"files", files_json(files)}, {"warnings", warnings_json(warnings)}}));
-  } else {
-    print(warning_listing(warnings, units) + file_listing(files, units));
-  }
-  return 0;
-}
-
 using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 
-// Writes the requested files of a drive, or of the part that --gear names, and returns the exit
-// status.
-int export_drive(const Options& o, const Door& door, const JobSpec& spec,
-                 const WantedFiles& wanted) {
-  if (!o.drawing.empty())
-    return usage(
-        "--drawing is not available for a drive; this option writes the drawing of a gear or a "
-        "pair");
-  if (!o.part.empty() && !o.rexs.empty())
-    return usage("--rexs writes the whole drive; leave out --gear");
+struct Exported {
+  std::vector<JobFile> files{};
+  std::vector<Warning> warnings{};
+  /// Appends the file and returns none, or returns its error.
+  std::optional<Error> add(Result<JobFile> file) {
+    if (!file) return file.error();
+    files.push_back(std::move(file).take());
+    return std::nullopt;
+  }
+};
+
+// Makes the requested files of a drive, or of the part that --gear names.
+Result<Exported> export_drive(const Options& o, const JobSpec& spec, const WantedFiles& wanted) {
   const auto job = solve_drive(spec);
-  if (!job) return door.fail(job.error());
-  std::vector<Result<JobFile>> files;
+  if (!job) return job.error();
+  Exported made{{}, job->drive.findings};
+  const FileOptions options = file_options(o);
   std::optional<Result<std::vector<ToothedBody>>> bodies;
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
     if (!bodies) bodies = o.part.empty() ? drive_bodies(*job) : drive_part(*job, o.part);
-    if (!*bodies) return door.fail(bodies->error());
-    files.push_back(make_drive_file(kind, *job, **bodies, *path, file_options(o)));
+    if (!*bodies) return bodies->error();
+    if (auto error = made.add(make_drive_file(kind, *job, **bodies, *path, options))) return *error;
   }
-  if (!o.rexs.empty()) files.push_back(make_rexs(*job, o.rexs));
-  return end_export(o, door, spec.units(), files, job->drive.findings);
+  if (!o.rexs.empty())
+    if (auto error = made.add(make_rexs(*job, o.rexs))) return *error;
+  return made;
+}
+
+// Makes the requested files of a pair, or of the gear `gear`.
+Result<Exported> export_pair(const Options& o, const JobSpec& spec, const WantedFiles& wanted,
+                             const std::optional<int>& gear) {
+  // A drawing contains data of the mating gear, so the pair must be solved.
+  const bool alone = gear && o.drawing.empty();
+  const auto job = solve_any(spec, alone ? Scope::gears : Scope::everything);
+  if (!job) return job.error();
+  const int count = job->parts();
+  if (gear && *gear > count)
+    return absent_input("gear2", " from the spec; --gear 2 needs a second gear");
+  std::vector<ToothedBody> bodies;
+  std::vector<int> drawn;
+  for (int which = 1; which <= count; ++which) {
+    if (gear && *gear != which) continue;
+    drawn.push_back(which);
+    auto body = make_body(*job, which);
+    if (!body) return body.error();
+    bodies.push_back(std::move(body).take());
+    if (!gear) bodies.back().pose = pose_of(*job, which);
+  }
+  Exported made{{}, job->warnings};
+  const FileOptions options = file_options(o);
+  for (const auto& [kind, path] : wanted)
+    if (!path->empty())
+      if (auto error = made.add(make_file(kind, bodies, *path, options))) return *error;
+  if (const auto format = sheet_format(o.drawing); format)
+    if (auto error = made.add(make_workshop_drawing(*job, drawn, *format, o.drawing, options)))
+      return *error;
+  if (!o.rexs.empty())
+    if (auto error = made.add(make_rexs(*job, o.rexs))) return *error;
+  return made;
 }
 
 }  // namespace
@@ -169,6 +191,8 @@ int run_verb(const Options& o) {
       out.replace_extension();
     out += "_out";
   }
+  if (spec->drive && options.sheet)
+    return usage("--sheet is not available for a drive, because a drive has no workshop drawing");
   if (spec->drive) return run_drive(o, door, *spec, out, options);
   std::optional<SolvedJob> job;
   const auto made = watched("run", [&](Progress* h) -> Result<RunFiles> {
@@ -195,45 +219,39 @@ int export_verb(const Options& o) {
   std::optional<int> gear;
   if (o.part == "1" || o.part == "2") gear = o.part == "1" ? 1 : 2;
   if (gear && !o.rexs.empty()) return usage("--rexs writes both gears of a pair; leave out --gear");
-  const auto format = sheet_format(o.drawing);
-  if (!o.drawing.empty() && !format)
+  if (!o.drawing.empty() && !sheet_format(o.drawing))
     return usage("--drawing needs a file name that ends in .pdf, .svg or .dxf, not " + o.drawing);
   if (const std::string name = collision(o); !name.empty())
     return usage(name + " is the name of two output files or of the spec");
   Door door(o);
   const auto spec = door.read();
   if (!spec) return door.fail(spec.error());
-  if (spec->drive) return export_drive(o, door, *spec, wanted);
-  if (!o.part.empty() && !gear)
+  const bool drive = spec->drive != nullptr;
+  if (drive && !o.drawing.empty())
+    return usage(
+        "--drawing is not available for a drive; this option writes the drawing of a gear or a "
+        "pair");
+  if (drive && !o.part.empty() && !o.rexs.empty())
+    return usage("--rexs writes the whole drive; leave out --gear");
+  if (!drive && !o.part.empty() && !gear)
     return usage("for a pair, --gear must be 1 or 2; only the parts of a drive have names");
-  // A drawing contains data of the mating gear, so the pair must be solved.
-  const bool alone = gear && o.drawing.empty();
-  const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
-  if (!job) return door.fail(job.error());
-  const int count = job->parts();
-  if (gear && *gear > count)
-    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
-  std::vector<ToothedBody> bodies;
-  std::vector<int> drawn;
-  for (int which = 1; which <= count; ++which) {
-    if (gear && *gear != which) continue;
-    drawn.push_back(which);
-    auto body = make_body(*job, which);
-    if (!body) return door.fail(body.error());
-    bodies.push_back(std::move(body).take());
-    if (!gear) bodies.back().pose = pose_of(*job, which);
+  const auto made = watched("export", [&](Progress* progress) {
+    progress->begin("making the files", 0);
+    auto files = drive ? export_drive(o, *spec, wanted) : export_pair(o, *spec, wanted, gear);
+    if (!files) return files;
+    progress->begin_writing();
+    write_files(files->files);
+    return files;
+  });
+  if (!made) return door.fail(made.error());
+  const UnitSystem units = spec->units();
+  if (o.json) {
+    print_json(in_units(
+        units, {{"files", files_json(made->files)}, {"warnings", warnings_json(made->warnings)}}));
+  } else {
+    print(warning_listing(made->warnings, units) + file_listing(made->files, units));
   }
-  std::vector<Result<JobFile>> files;
-  const FileOptions options = file_options(o);
-  for (const auto& [kind, path] : wanted)
-    if (!path->empty()) files.push_back(make_file(kind, bodies, *path, options));
-  if (format) {
-    std::optional<SheetSize> size;
-    if (!o.sheet.empty()) size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
-    files.push_back(make_workshop_drawing(*job, drawn, *format, size, o.drawing, options));
-  }
-  if (!o.rexs.empty()) files.push_back(make_rexs(*job, o.rexs));
-  return end_export(o, door, spec->units(), files, job->warnings);
+  return 0;
 }
 
 int import_verb(const Options& o) {

@@ -139,8 +139,6 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
 // thick enough as far as the shifts were searched.
 py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha_n, double addendum,
                        double edge_depth, double tip_thickness) {
-  const bool all_finite =
-      std::isfinite(addendum) && std::isfinite(edge_depth) && std::isfinite(tip_thickness);
   SearchProblem problem;
   problem.normal_pressure_angle = Angle::radians(alpha_n);
   problem.limits.tip_thickness = tip_thickness;
@@ -158,7 +156,7 @@ py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha
       const double z = in[0][i], beta = in[1][i];
       const std::pair key{z, beta};
       if (key != last_key) {
-        const bool valid = all_finite && z == std::round(z) && z != 0.0 && std::abs(z) < 1e6 &&
+        const bool valid = z == std::round(z) && z != 0.0 && std::abs(z) < 1e6 &&
                            std::abs(beta) < std::numbers::pi / 2;
         const auto [at, is_new] = valid ? known.try_emplace(key) : std::pair(known.end(), false);
         if (is_new) {

@@ -178,13 +178,12 @@ py::object drawing(const std::vector<int>& gears, const Model& model,
   if (sheet && *sheet != "A4" && *sheet != "A3") raise({"sheet", *sheet, "must be A4 or A3"});
   FileOptions options;
   options.drawing_tolerance_mm = tolerance_in_range(tolerance, kDrawingTolerances);
-  std::optional<SheetSize> size;
-  if (sheet) size = *sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
+  if (sheet) options.sheet = *sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
   const fs::path name = path.value_or("drawing");
   std::optional<Result<JobFile>> file;
   {
     const py::gil_scoped_release free;
-    file = make_workshop_drawing(model.job, gears, *kind, size, name, options);
+    file = make_workshop_drawing(model.job, gears, *kind, name, options);
   }
   if (!*file) raise_of_body(file->error(), model);
   return bytes_or_file(file->value(), path);
@@ -233,7 +232,8 @@ void bind_exports(Class& type) {
       },
       py::arg("path") = py::none(), py::arg("format") = py::none(), py::arg("sheet") = py::none(),
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, one sheet for each gear or rack: the given sheet (\"A4\" "
+      "Workshop drawing with the gear data, one sheet for each gear or rack: the given sheet "
+      "(\"A4\" "
       "or \"A3\"), by default A4, or A3 if the scale on A4 would be smaller than 1:2. Returns the "
       "bytes of the file in the given format (pdf, svg or dxf; by default pdf), or writes the file "
       "to path, "

@@ -159,9 +159,9 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
                              const py::kwargs& kwargs) {
   threads_in_range(threads);
   if (top && *top < 1) raise({"top", std::to_string(*top), "must be at least 1"});
-  Json tree = found.spec.tree->tables;
-  const Json changes =
-      with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, UnitSystem::mm, "scatter");
+  const UnitSystem units = found.spec.units();
+  Json tree = value_or_raise(parse_spec(found.text.text, found.text.format));
+  const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, units, "scatter");
   for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
   const JobSpec spec = value_or_raise(read_spec_tree(tree, found.text.folder));
   StudyOptions options;
@@ -174,7 +174,7 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
     options.progress = progress;
     return run_study(spec, options);
   });
-  return to_python(study_json(spec, run));
+  return to_python(in_units(units, study_json(spec, run)));
 }
 
 // A pickle contains the finished search in packed form, because a search may take hours.

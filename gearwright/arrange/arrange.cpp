@@ -251,16 +251,20 @@ Result<Arranged> arrange(const GivenPair& given, Scope scope) {
   return arranged;
 }
 
+std::optional<Error> flank_error(const Gear& gear,
+                                 const std::array<FlankModifications, 2>& flanks) {
+  if (!any_modification(flanks) || !gear.exists() || !gear.root_form_radius() ||
+      *gear.root_form_radius() == gear.tip_form_radius())
+    return std::nullopt;
+  const auto removal = removal_of(gear, flanks);
+  return removal ? std::nullopt : std::optional(removal.error());
+}
+
 std::optional<Error> check_flanks(const Arranged& arranged) {
   for (std::size_t i = 0; i < arranged.gears.size(); ++i) {
     const int which = static_cast<int>(i) + 1;
-    const Gear& gear = arranged.gears[i];
-    const auto& flanks = arranged.completed.gear(which).modifications;
-    if (!any_modification(flanks) || !gear.exists() || !gear.root_form_radius() ||
-        *gear.root_form_radius() == gear.tip_form_radius())
-      continue;
-    if (const auto removal = removal_of(gear, flanks); !removal)
-      return of_gear(which, removal.error());
+    if (auto error = flank_error(arranged.gears[i], arranged.completed.gear(which).modifications))
+      return of_gear(which, *std::move(error));
   }
   return std::nullopt;
 }

@@ -62,6 +62,12 @@ enum class Scope {
 ///           `pair` with the backlash if the pinion or the rack cannot have it
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);
 
+/// Returns the error of modifications that do not fit the flanks of a gear, and none if they fit or
+/// if the gear has no usable flank.
+///
+/// Errors    `modifications.…` as make_removal_field
+std::optional<Error> flank_error(const Gear& gear, const std::array<FlankModifications, 2>& flanks);
+
 /// Checks that the modifications of every gear fit its flanks, so that all verbs and all remedies
 /// reject the same modifications. A gear without a usable flank has a warning instead.
 ///

@@ -258,7 +258,7 @@ std::optional<PairRating> rate_drawing(const SearchProblem& problem, const Arran
   const SearchRating& asked = *problem.rating;
   const auto pair = rated_pair(*arranged.pair);
   if (!pair) return std::nullopt;
-  PairRating rated{*pair, asked.input};
+  PairRating rated{*pair, asked.input_of(arranged.gear(1).spec.teeth, arranged.gear(2).spec.teeth)};
   if (asked.web) rated.input.body = rated_body(*pair, *asked.web, *asked.rim);
   auto rating = rate(rated.pair, rated.input);
   if (!rating) return std::nullopt;

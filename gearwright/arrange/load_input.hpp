@@ -22,8 +22,10 @@ struct LoadProbeInput {
 
 /// The load on a pair or a drive, and the resolution of the computation.
 struct LoadInput {
-  bool given = false;             ///< true if there is a load or a probe
-  std::vector<double> torques{};  ///< N m, on gear 1 of a pair or on the input of a drive
+  bool given = false;                    ///< true if there is a load or a probe
+  std::vector<double> torques{};         ///< N m, on gear 1 of a pair or on the input of a drive
+  std::vector<double> output_torques{};  ///< N m, on the driven gear of a pair, without losses;
+                                         ///< `torques` follow from them
   int driver = 1;
   int positions = 64;              ///< number per pitch
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions

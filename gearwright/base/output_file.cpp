@@ -2,8 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <system_error>
+#include <utility>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
 
 namespace gearwright {
@@ -12,8 +15,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::string message_of(std::string_view what, const fs::path& path, int code,
+                       std::string_view reason, std::string_view advice) {
+  const std::string why(reason.empty() ? std::string_view(std::strerror(code)) : reason);
+  constexpr std::size_t kLongest = 4096;  // no system has longer paths
+  return std::string(what) + " " + printable(native_text(path), kLongest) + ": " + why +
+         std::string(advice);
+}
+
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw IoError("cannot write " + native_text(path) + ": " + std::strerror(error));
+  throw IoError("cannot write", path, error);
 }
 
 fs::path beside(const fs::path& path) {
@@ -29,7 +40,7 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
   if (error) {
     std::error_code ignored;
     fs::remove(from, ignored);
-    throw IoError("cannot write " + native_text(to) + ": " + error.message());
+    throw IoError("cannot write", to, error.default_error_condition().value(), error.message());
   }
 }
 
@@ -51,12 +62,18 @@ Target target_of(const fs::path& path) {
 
 }  // namespace
 
+IoError::IoError(std::string_view what, fs::path path, int code, std::string_view reason,
+                 std::string_view advice)
+    : std::runtime_error(message_of(what, path, code, reason, advice)),
+      path_(std::move(path)),
+      code_(code) {}
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw IoError("cannot make the folder " + native_text(folder) + ": " + error.message() +
-                  "; --out selects another folder");
+    throw IoError("cannot make the folder", folder, error.default_error_condition().value(),
+                  error.message(), "; --out selects another folder");
 }
 
 void write_file(const fs::path& path, std::string_view content) {

@@ -14,6 +14,17 @@ namespace gearwright {
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  /// The error `code` of the system for a file. The message is `what`, the path, `reason` and
+  /// `advice`. Without a reason, it is the text of the system for `code`.
+  IoError(std::string_view what, std::filesystem::path path, int code, std::string_view reason = {},
+          std::string_view advice = {});
+
+  int code() const { return code_; }  ///< errno; 0 if the system gave none
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_{};
+  int code_ = 0;
 };
 
 /// Makes a folder for output files, with its parents, unless it exists.

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -64,6 +65,13 @@ TEST_F(OutputFile, MissingFolderIsAnIoErrorThatNamesThePath) {
   const std::string message = message_of([&] { write_file(path, "solid"); });
   EXPECT_NE(message.find(path.string()), std::string::npos) << message;
   EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+  try {
+    write_file(path, "solid");
+    FAIL();
+  } catch (const IoError& error) {
+    EXPECT_EQ(error.code(), ENOENT);
+    EXPECT_EQ(error.path(), path);
+  }
   EXPECT_TRUE(names().empty());
 }
 

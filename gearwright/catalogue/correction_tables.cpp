@@ -62,7 +62,7 @@ std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units
                                        std::optional<std::size_t> marked) {
   TextTable amounts{"Amounts of the modifications; reliefs are rounded up", {}};
   std::vector<std::string> names;
-  std::vector<ValueRecord> worst, at_limits;
+  std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < view.proposals.size(); ++i) {
     const std::vector<std::size_t> same = same_proposals(view.proposals, i);
     const std::size_t number = i + 1;
@@ -73,25 +73,25 @@ std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units
     const Proposal& p = view.proposals[i];
     const char* const mark = marked == i ? "*" : " ";
     names.push_back(fmt::format("{} {:>2}  {}", mark, number, words_of(p)));
-    worst.push_back(loaded_score_quantities().of(p.worst));
-    if (p.at_limits) at_limits.push_back(loaded_score_quantities().of(*p.at_limits));
+    records.push_back(proposal_quantities().of(p));
     for (std::size_t gear = 0; gear < 2 && number > 1; ++gear)
       if (const std::string text = amounts_of(p.gears[gear]); !text.empty())
         amounts.notes.push_back(
             fmt::format("Proposal {}, gear {}: {}", number, gear + 1, sentence_in(units, text)));
   }
-  const auto effects = [&](std::string title, const std::vector<ValueRecord>& scores) {
-    return record_table(
-        units, std::move(title), names, scores,
-        {"peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"});
-  };
   const bool several = view.proposals.front().loads.size() > 1;
   std::vector<TextTable> tables{
       std::move(amounts),
-      effects(several ? "Effects, worst values over the torques" : "Effects", worst)};
-  if (!at_limits.empty())
-    tables.push_back(effects(
-        "Effects with the helix slope deviations in the less favourable direction", at_limits));
+      record_table(units, several ? "Effects, worst values over the torques" : "Effects", names,
+                   records,
+                   {"worst.peak_to_peak_arcsec", "peak_to_peak_without_load_arcsec",
+                    "worst.max_pressure_MPa", "worst.face_load_factor", "worst.edge_carries"})};
+  if (view.proposals.front().at_limits)
+    tables.push_back(record_table(
+        units, "Effects with the helix slope deviations in the less favourable direction", names,
+        records,
+        {"at_helix_limits.peak_to_peak_arcsec", "at_helix_limits.max_pressure_MPa",
+         "at_helix_limits.face_load_factor", "at_helix_limits.edge_carries"}));
   return tables;
 }
 

@@ -26,6 +26,15 @@ const KeyTable& load_keys() {
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
+       Key::number("output_torque_Nm", "T_2", KeyRange::above(0, kMaxInput),
+                   &LoadInput::output_torques, "",
+                   "torque on the driven gear of a pair, or a list of torques, instead of "
+                   "`torque_Nm`. Losses are neglected, as in ISO 6336: T_1 = T_2 z_1/|z_2|. With "
+                   "`driver = 2`, the driven gear is gear 1")
+           .with_list(KeyList{1, kMostTorques, true})
+           .with_fields({"output_torques", "torques"})
+           .with_excludes({"torque_Nm"})
+           .with_also({"t2", "torque2"}),
        Key::number("driver", "", KeyRange::between(1, 2), &LoadInput::driver, "1",
                    "gear that drives; if gear 2 drives, the sense of rotation does not change, and "
                    "the trailing flanks carry the load"),

@@ -41,9 +41,10 @@ constexpr std::string_view kRoundBore =
     "is not supported, because a bore is round; the bore may have a keyway, given by "
     "keyway_width_mm and keyway_depth_mm";
 constexpr std::string_view kOutputTorque =
-    "is not a key; give the torque on the input by torque_Nm, which is the torque on the output "
-    "divided by ratio and efficiency, T_in = T_out/(i η). The command `gearwright drive` computes "
-    "i and η without a torque";
+    "is not a key; for a pair, give the torque on the driven gear by output_torque_Nm in [load] or "
+    "[rating]. For a drive, give the torque on the input by torque_Nm, which is the torque on the "
+    "output divided by ratio and efficiency, T_in = T_out/(i η). The command `gearwright drive` "
+    "computes i and η without a torque";
 
 constexpr std::string_view kHorsepower =
     "is not a key; give the power by power_kW, which is 0.7457 times the power in hp";

@@ -79,6 +79,11 @@ const Quantities<Proposal>& proposal_quantities() {
         "worst values over 16 positions, all torques and both signs of `helix_deviation_um`; this "
         "deviation is added to the deflection slope; null without tolerances",
         &P::at_limits);
+    q.number("peak_to_peak_without_load_arcsec", "transmission error without load, peak to peak",
+             "",
+             "as `continuous_peak_to_peak_arcsec` of the verb `contact` for the spec of the "
+             "proposal; null if contact is lost at some rotation",
+             &P::without_load);
     q.add(Type::map, "spec", "spec", "", "the whole spec with the modifications of the proposal",
           &P::spec)
         .always();

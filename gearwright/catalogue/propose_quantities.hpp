@@ -37,6 +37,8 @@ struct Proposal {
   LoadedScore worst = no_score();          ///< worst values over all torques
   std::optional<LoadedScore> at_limits{};  ///< worst values at both limits of the helix slope
                                            ///< deviation
+  std::optional<Angle> without_load{};     ///< peak-to-peak transmission error of rigid teeth; none
+                                           ///< if contact is lost
   /// Transmission error under the greatest torque: rotation of gear 1 in °, error in ″.
   std::vector<Vec2> transmission_error{};
   Value spec{};  ///< the whole spec with these modifications

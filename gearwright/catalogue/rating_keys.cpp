@@ -91,7 +91,7 @@ std::optional<KeyFault> complete_load(RatingTable& rating) {
     const LoadBin& worst =
         *std::max_element(rating.spectrum.begin(), rating.spectrum.end(),
                           [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });
-    if (!rating.torque && !rating.power) rating.torque = worst.torque;
+    if (!rating.torque && !rating.power && !rating.output_torque) rating.torque = worst.torque;
     if (!in.speed) in.speed = worst.speed;
   }
   constexpr double kWattPerKilowatt = 1000.0;
@@ -163,6 +163,14 @@ const KeyTable& rating_keys() {
        Key::positive("torque_Nm", "T_1", &RatingTable::torque, "from `power_kW`",
                      "torque on gear 1; can be given instead of `power_kW`")
            .with_also({"torque", "moment", "t"}),
+       Key::positive("output_torque_Nm", "T_2", &RatingTable::output_torque, "",
+                     "torque on the driven gear of a pair, instead of `torque_Nm` and `power_kW`. "
+                     "Losses are neglected, as in ISO 6336: T_1 = T_2 z_1/|z_2|. With `driver = 2` "
+                     "in `[load]`, the driven gear is gear 1. In a search, each design has the "
+                     "torque T_1 of its own ratio")
+           .with_fields({"output_torque", "torque"})
+           .with_excludes({"torque_Nm", "power_kW"})
+           .with_also({"t2", "torque2"}),
        Key::positive("speed_rpm", "n_1", {&RatingTable::input, &RatingInput::speed},
                      "the speed can be absent only if `dynamic_factor` is given", "speed of gear 1")
            .with_also({"speed", "rpm", "n"}),

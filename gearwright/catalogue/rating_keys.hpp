@@ -19,6 +19,8 @@ struct RatingTable {
                                           ///< them; materials and gear bodies are added later
   std::optional<double> power;            ///< P    kW
   std::optional<double> torque;           ///< T_1  N m, on gear 1
+  std::optional<double> output_torque;    ///< N m, on the driven gear of a pair, without losses;
+                                          ///< `torque` follows from it
   std::optional<double> web_thickness;    ///< b_s  mm
   std::optional<double> rim_thickness;    ///< s_R  mm, of both gears
   std::vector<LoadBin> spectrum;          ///< [[rating.spectrum]]; it replaces the single load and

@@ -142,10 +142,11 @@ void add_search(Quantities<SearchView>& q) {
   q.number("helix_angle_deg", "default band of the helix angles", "β",
            "[least, greatest]; only with `overlap_ratio` and without `helix_angle_deg`",
            [](const S& s) {
-             return s.problem->default_helix_deg ? Value(*s.problem->default_helix_deg) : Value();
+             return s.problem->default_overlap_helix ? Value(s.problem->overlap_helix_deg)
+                                                     : Value();
            })
       .ends()
-      .when([](const S& s) { return s.problem->default_helix_deg.has_value(); });
+      .when([](const S& s) { return s.problem->default_overlap_helix; });
   count("points_tested", "number of tested points on the grid of `shift_step`",
         &SearchCounts::points_tested)
       .when(grid);

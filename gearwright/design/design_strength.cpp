@@ -199,7 +199,7 @@ double share_of(const SearchProblem& problem, const LeastSafeties& found) {
 double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
                       DesignRow& row) {
   const SearchRating& asked = *problem.rating;
-  RatingInput input = asked.input;
+  RatingInput input = asked.input_of(row.trial.z1, row.trial.z2);
   double share = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < states.size(); ++k) {
     const RatedPair wide = with_face_width(states[k], row.face_width);

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/strength_change.hpp"
+#include "gearwright/design/whole_overlap.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
@@ -224,8 +225,12 @@ std::vector<Knob> knobs(const SearchProblem& p) {
             [](SearchProblem& q, int end, double v) { q.ratio[end] = v; });
     const std::array<double, 2> teeth{1.0 * p.pinion_teeth[0], 1.0 * p.pinion_teeth[1]};
     add_end("pinion_teeth", teeth, i, i == 0 ? std::min(5.0, teeth[0]) : 2.0 * teeth[1] + 10.0,
-            teeth[i], Knob::Kind::teeth,
-            [](SearchProblem& q, int end, double v) { q.pinion_teeth[end] = static_cast<int>(v); });
+            teeth[i], Knob::Kind::teeth, [](SearchProblem& q, int end, double v) {
+              if (q.pinion_teeth[end] == static_cast<int>(v)) return;
+              q.pinion_teeth[end] = static_cast<int>(v);
+              // A band of b/d_1 gives other face widths for other pinions.
+              if (q.face_diameters && !q.overlap_ratios.empty()) set_overlap_choices(q);
+            });
   }
   if (limits.min_shift && limits.max_shift) {
     const std::array<double, 2> band{*limits.min_shift, *limits.max_shift};

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gearwright/design/testing/search_reference.hpp"
+#include "gearwright/design/whole_overlap.hpp"
 
 namespace gearwright {
 namespace {
@@ -308,6 +309,35 @@ TEST(NearestChange, IsTheOneThatBisectionOfTheWholeSearchFinds) {
     EXPECT_LE(std::stod(at->to), yes + 1e-9);
     EXPECT_NEAR(std::stod(at->to), yes, 1e-3 * (least - yes) + 1e-9);
   }
+}
+
+// Helix angles and face widths follow from the overlap ratio and a band of b/d_1. With 40 to 44
+// teeth, the narrowest face is 16 mm (0.2 · 80 mm). At 62 to 66 mm, pinions have about 20 teeth, and
+// their faces are 9 to 14 mm wide, so the change must also change the widths.
+TEST(NearestChange, OfThePinionTeethHasTheFaceWidthsOfTheNewPinions) {
+  SearchProblem p = small();
+  p.center_distance = {{62.0, 66.0}};
+  p.pinion_teeth = {40, 44};
+  p.face_diameters = {{0.2, 0.3}};
+  p.overlap_ratios = {1.0};
+  p.overlap_helix_deg = {5.0, 30.0};
+  set_overlap_choices(p);
+  ASSERT_FALSE(p.choices.empty());
+  ASSERT_GE(*p.choices.back().face_width, 16.0);
+  ASSERT_FALSE(feasible(p));
+  const auto changes = nearest_changes(p).changes;
+  const auto at = std::find_if(changes.begin(), changes.end(),
+                               [](const NearestChange& c) { return c.field == "pinion_teeth"; });
+  ASSERT_NE(at, changes.end());
+  const auto teeth = band(at->to);
+  const auto with_teeth = [&](double least) {
+    SearchProblem q = p;
+    q.pinion_teeth = {static_cast<int>(least), static_cast<int>(teeth[1])};
+    set_overlap_choices(q);
+    return q;
+  };
+  EXPECT_TRUE(feasible(with_teeth(teeth[0])));
+  EXPECT_FALSE(feasible(with_teeth(teeth[0] + 1.0)));
 }
 
 TEST(NearestChange, EndsWhenItIsToldToAndSaysWhatItDidNotAsk) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -113,8 +114,17 @@ struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm, for a gear body with rim and web
   std::optional<double> power_kW;       ///< P, if given instead of the torque
+  std::optional<double> output_torque;  ///< T_2  N m, on gear 2, if given instead of the torque
   std::shared_ptr<RingCuts> ring_cuts;  ///< store for the cuts of internal gears, created by the
                                         ///< search; if absent, internal pairs are cut and mounted
+
+  /// Returns the input for a pair with these numbers of teeth. If T_2 is given, the torque on gear
+  /// 1 is T_2 z_1/|z_2|, without losses.
+  RatingInput input_of(int z1, int z2) const {
+    RatingInput own = input;
+    if (output_torque) own.torque = *output_torque * z1 / std::abs(z2);
+    return own;
+  }
 };
 
 /// Drawing tolerances, which are the same for all designs.
@@ -176,9 +186,12 @@ struct SearchProblem {
   /// The combinations to try. If empty, every module is tried with every helix angle. Otherwise,
   /// `helix` contains the helix angles of these combinations.
   std::vector<HelixChoice> choices;
-  /// The band of helix angles of the choices, in degrees, if it is the default of the caller.
-  std::optional<std::array<double, 2>> default_helix_deg;
-  std::optional<Angle> shaft_angle;                  ///< Σ of crossed axes; β2 = Σ − β1
+  /// The overlap ratios and the band of helix angles, degrees, from which the choices follow
+  /// (design/whole_overlap.hpp); empty if the choices do not follow from overlap ratios.
+  std::vector<double> overlap_ratios;
+  std::array<double, 2> overlap_helix_deg{};
+  bool default_overlap_helix = false;  ///< true if this band is the default of the caller
+  std::optional<Angle> shaft_angle;    ///< Σ of crossed axes; β2 = Σ − β1
   Angle normal_pressure_angle = Angle::degrees(20);  ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
   bool coprime = false;  ///< if true, z1 and z2 must have no common factor

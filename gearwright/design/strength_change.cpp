@@ -35,11 +35,18 @@ void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   add_limit(p, k, "limits.safety_flank", &SearchLimits::safety_flank, 0.0);
   add_limit(p, k, "limits.safety_root", &SearchLimits::safety_root, 0.0);
   const double torque = p.rating->input.torque;
-  const auto power = p.rating->power_kW;
-  const double load = power.value_or(torque);
-  k.push_back({power ? "rating.power" : "rating.torque", load, kLightest * load, load,
-               Knob::Kind::limit,
-               [=](SearchProblem& q, double v) { q.rating->input.torque = torque * (v / load); }});
+  const auto &power = p.rating->power_kW, &output = p.rating->output_torque;
+  const double load = power ? *power : output.value_or(torque);
+  k.push_back({power    ? "rating.power"
+               : output ? "rating.output_torque"
+                        : "rating.torque",
+               load, kLightest * load, load, Knob::Kind::limit,
+               [=, on_output = output.has_value()](SearchProblem& q, double v) {
+                 if (on_output)
+                   q.rating->output_torque = v;
+                 else
+                   q.rating->input.torque = torque * (v / load);
+               }});
   // If helix angles were chosen for the face widths, other face widths would require other trials.
   if (!p.choices.empty()) return;
   constexpr double kWidest = 4.0;

@@ -67,4 +67,11 @@ std::vector<HelixChoice> whole_overlap_choices(const SearchProblem& problem,
   return choices;
 }
 
+void set_overlap_choices(SearchProblem& p) {
+  p.choices = whole_overlap_choices(p, p.overlap_ratios, p.overlap_helix_deg);
+  p.helix.clear();
+  for (const HelixChoice& choice : p.choices)
+    if (p.helix.empty() || p.helix.back() != choice.helix) p.helix.push_back(choice.helix);
+}
+
 }  // namespace gearwright

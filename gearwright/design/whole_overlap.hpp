@@ -45,4 +45,7 @@ std::vector<HelixChoice> whole_overlap_choices(const SearchProblem& problem,
                                                const std::vector<double>& overlap_ratios,
                                                const std::array<double, 2>& band_deg);
 
+/// Sets the choices of a problem with overlap ratios, and their helix angles.
+void set_overlap_choices(SearchProblem& problem);
+
 }  // namespace gearwright

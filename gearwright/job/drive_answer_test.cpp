@@ -190,6 +190,24 @@ TEST(DriveAnswerTest, GearsOfADriveAreRefusedWhatTheyCannotBe) {
             "search.sun2_teeth");
 }
 
+// The rule is that of a pair. The tip diameter of 21 teeth, m_n = 2, is 46 mm.
+TEST(DriveAnswerTest, ModificationsOfItsGearsMustFitTheirFlanks) {
+  const auto error_of = [](const std::string& modifications) {
+    const auto solved = solve_drive(
+        drive_job("[[stage]]\ngears = [ { teeth = 21, normal_module_mm = 2, face_width_mm = 20, "
+                  "modifications = { " +
+                  modifications + " } }, { teeth = 43 } ]\n"));
+    return solved ? "" : solved.error().message();
+  };
+  EXPECT_EQ(error_of("tip_relief_um = 10, tip_relief_start_mm = 44.5"), "");
+  EXPECT_EQ(error_of("tip_relief_um = 10"), "");  // each mesh places its start
+  const std::string outside = error_of("tip_relief_um = 10, tip_relief_start_mm = 47");
+  EXPECT_EQ(outside.find("stage[1].gears[1].modifications."), 0u) << outside;
+  EXPECT_NE(outside.find("tip_relief_start_mm = 47: must lie on the usable flank"), outside.npos)
+      << outside;
+  EXPECT_NE(error_of("end_relief_um = 10, end_relief_length_mm = 11"), "");
+}
+
 // Law (5). The same error of the pinion is computed.
 TEST(DriveAnswerTest, ErrorsOfTheTeethOfARackAreRejected) {
   const auto drive_with = [](const std::string& error) {

@@ -56,6 +56,23 @@ std::optional<Error> find_halves(Drive& drive) {
   return std::nullopt;
 }
 
+// Returns the error about the first gear whose flanks cannot have its modifications, as
+// check_flanks() does for a pair. A relief without a start gets one in each mesh, so it is not
+// checked here.
+std::optional<Error> check_flanks(const Drive& drive) {
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+    const DriveGear& named = drive.graph.gears[g];
+    const auto& gear = drive.geometry.gears[g];
+    if (!gear) continue;
+    auto flanks = named.modifications;
+    for (FlankModifications& flank : flanks)
+      for (Relief* const relief : {&flank.tip_relief, &flank.root_relief})
+        if (!relief->reach) relief->amount = 0.0;
+    if (auto error = flank_error(*gear, flanks)) return of_drive_gear(named, *std::move(error));
+  }
+  return std::nullopt;
+}
+
 // Returns a note if the torque of the input has no effect, because the power flow is unknown.
 // Redundant meshes and impossible teeth have findings of their own.
 std::optional<Warning> unused_torque(const Json& tree, const Drive& drive) {
@@ -122,6 +139,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
+  if (auto error = check_flanks(job.drive)) return of_drive_table(*error, spec.tree->tables);
   for (Warning& note : unused_tables(spec)) job.drive.findings.push_back(std::move(note));
   if (spec.errors.any()) {
     const MeshErrors errors = mesh_errors(spec, job.drive);

@@ -280,8 +280,8 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
     for (FileKind kind : {FileKind::step, FileKind::glb})
       if (auto error = make(kind, mounted, "pair")) return *std::move(error);
   if (!drawn.empty() && options.wants("drawing")) {
-    auto file = make_workshop_drawing(job, drawn, SheetFormat::pdf, std::nullopt,
-                                      folder / "drawing.pdf", options);
+    auto file =
+        make_workshop_drawing(job, drawn, SheetFormat::pdf, folder / "drawing.pdf", options);
     if (!file) return file.error();
     made.push_back(std::move(file).take());
   }

@@ -14,6 +14,7 @@
 
 #include "gearwright/base/progress.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/cad/gear_sheet.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
@@ -41,13 +42,15 @@ struct FileOptions {
   double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
   double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs and workshop drawings
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
+  std::optional<SheetSize> sheet{};     ///< size of the workshop drawing; if absent, the scale
+                                        ///< determines it
   std::vector<std::string> only{};      ///< for `run`, the parts to write (kRunParts); if empty,
                                         ///< all
 
   bool wants(std::string_view part) const;
 };
 
-/// The parts of `run`: the result, the report, the drawing (PDF, A4), and other kinds of files,
+/// The parts of `run`: the result, the report, the drawing (PDF), and other kinds of files,
 /// which are named by their extension.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};

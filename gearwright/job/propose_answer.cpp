@@ -10,6 +10,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/continuous.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -79,6 +80,7 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   const auto most = std::max_element(
       contact.torques.begin(), contact.torques.end(),
       [](const LoadedTorque& x, const LoadedTorque& y) { return x.torque < y.torque; });
+  p.without_load = continuous_span(task.pair(), kLeastSpanPositions);
   for (const LoadedPosition& at : most->positions)
     p.transmission_error.push_back({at.rotation1.deg(), at.te.arcsec()});
   if (!helix_deviation) return std::nullopt;
@@ -108,20 +110,29 @@ std::string arrow(double from, double to, int decimals) {
   return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
 }
 
-// Returns the score whose pressure is compared with other proposals. If the gears have a helix
-// slope deviation, this is the score at the limits of the deviation.
-const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
+// Returns the score at the limits of the helix slope deviation or, without a deviation, of the
+// nominal teeth.
+const LoadedScore& at_limits_of(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
 // Greatest factor by which the pressure may increase in order to relieve edges at the limits of the
 // helix slopes. Because p_H ∝ √F, 10 % more pressure corresponds to 21 % more torque.
 constexpr double kMostPressure = 1.1;
 
-// Returns 0 if no edge carries load, 1 if an edge carries load only at the limits of the helix
-// slopes, and 2 if an edge carries load without deviations. If the pressure exceeds kMostPressure ·
-// least, the result is at least 1.
-int edge_rank(const Proposal& p, double least) {
-  if (p.worst.edge_carries) return 2;
-  return pressed(p).edge_carries || p.worst.max_pressure > kMostPressure * least;
+// A difference of the transmission error along the line of action, mm, that is too small to justify
+// more pressure. It is half of the step of 1 µm in which the amounts are made.
+constexpr double kSameTransmission = 0.5 / kUmPerMm;
+
+// Returns 0 if no edge carries load at the limits of the helix slopes, 1 if an edge carries load
+// there, and 2 if the pressure without deviations exceeds kMostPressure · least.
+int rank_of(const Proposal& p, double least) {
+  if (p.worst.max_pressure > kMostPressure * least) return 2;
+  return at_limits_of(p).edge_carries ? 1 : 0;
+}
+
+// Returns the score whose pressure is compared with that of other proposals of this rank. If an
+// edge carries load at the limits of the helix slopes, the pressure there is only a lower bound.
+const LoadedScore& pressed(const Proposal& p, int rank) {
+  return rank == 0 ? at_limits_of(p) : p.worst;
 }
 
 bool rises(const LoadedScore& s, const LoadedScore& given) {
@@ -129,28 +140,34 @@ bool rises(const LoadedScore& s, const LoadedScore& given) {
 }
 
 bool has_result(const Proposal& p) {
-  return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure);
+  return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(at_limits_of(p).max_pressure);
 }
 
-// True if a proposal has a result whose transmission error does not exceed that of the given spec.
-bool is_possible(const Proposal& p, const Proposal& given) {
-  return has_result(p) && !rises(p.worst, given.worst);
+// True if a proposal has a result whose transmission error exceeds that of the given spec by at most
+// `same`, rad.
+bool is_possible(const Proposal& p, const Proposal& given, double same) {
+  return has_result(p) && !(p.worst.peak_to_peak.rad() > given.worst.peak_to_peak.rad() + same);
 }
 
-// Returns the first proposal with a result, to which the others are compared. This is the spec as
-// given if it has a result. If no proposal has one, the spec as given is returned too.
-std::size_t reference(const std::vector<Proposal>& list) {
-  const auto it = std::find_if(list.begin(), list.end(), has_result);
-  return it == list.end() ? 0 : static_cast<std::size_t>(it - list.begin());
-}
-
-// Returns the least pressure among the possible proposals without a loaded edge. Both the pressure
-// and the edges refer to the nominal teeth, without deviations.
-double least_pressure(const std::vector<Proposal>& list) {
+// Returns the indices of the proposals that are compared by their pressure. They are possible, no
+// edge of theirs carries load unless this is so in all possible proposals, and their transmission
+// error exceeds the least one by at most `same`, rad.
+std::vector<std::size_t> quiet_proposals(const std::vector<Proposal>& list, double same) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (is_possible(list[i], list.front(), same)) found.push_back(i);
+  const auto has_edge = [&](std::size_t i) { return list[i].worst.edge_carries; };
+  if (!std::all_of(found.begin(), found.end(), has_edge)) std::erase_if(found, has_edge);
   double least = kInfinity;
-  for (const Proposal& p : list)
-    if (is_possible(p, list.front()) && !p.worst.edge_carries)
-      least = std::min(least, p.worst.max_pressure);
+  for (const std::size_t i : found) least = std::min(least, list[i].worst.peak_to_peak.rad());
+  std::erase_if(found,
+                [&](std::size_t i) { return list[i].worst.peak_to_peak.rad() > least + same; });
+  return found;
+}
+
+double least_pressure(const std::vector<Proposal>& list, const std::vector<std::size_t>& among) {
+  double least = kInfinity;
+  for (const std::size_t i : among) least = std::min(least, list[i].worst.max_pressure);
   return least;
 }
 
@@ -164,17 +181,18 @@ std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& li
   return best;
 }
 
-// Returns a sentence about a possible proposal in which no edge carries load, even at the limits of
-// the helix slopes. If there are several, it is the one with the least transmission error. The text
-// is empty if there is no such proposal, or if its pressure does not exceed that of `best`.
-std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best) {
+// Returns a sentence about a quiet proposal in which no edge carries load, even at the limits of the
+// helix slopes. If there are several, it is the one with the least transmission error. The text is
+// empty if there is no such proposal.
+std::string too_pressed(const std::vector<Proposal>& list, const std::vector<std::size_t>& quiet,
+                        const Proposal& best) {
   std::optional<std::size_t> free;
-  for (std::size_t i = 0; i < list.size(); ++i) {
+  for (const std::size_t i : quiet) {
     const Proposal& p = list[i];
-    if (!is_possible(p, list.front()) || edge_rank(p, kInfinity) > 0) continue;
+    if (at_limits_of(p).edge_carries) continue;
     if (!free || p.worst.peak_to_peak.rad() < list[*free].worst.peak_to_peak.rad()) free = i;
   }
-  if (!free || list[*free].worst.max_pressure <= best.worst.max_pressure) return "";
+  if (!free) return "";
   const double pressure = list[*free].worst.max_pressure;
   return fmt::format(
       " Proposal {} has no loaded edge at the limits of the helix slopes, but its pressure without "
@@ -183,9 +201,11 @@ std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best)
       arrow(best.worst.max_pressure, pressure, 0));
 }
 
-std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
+std::string reason_of(const std::vector<Proposal>& list, std::size_t best, double base_radius_2) {
+  const std::vector<std::size_t> quiet = quiet_proposals(list, kSameTransmission / base_radius_2);
   const Proposal& given = list.front();
   const Proposal& p = list[best];
+  if (!has_result(p)) return "No proposal has a result under this load.";
   std::string edges;
   if (given.worst.edge_carries && !p.worst.edge_carries)
     edges = "No edge of a tooth carries load in this proposal. ";
@@ -194,24 +214,32 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
     edges =
         "No edge of a tooth carries load in this proposal, not even at the limits of the helix "
         "slopes. ";
-  std::string text =
-      best == 0 ? std::string(
-                      "The spec as given is the best proposal. Only proposals that do not increase "
-                      "the transmission error are compared with the spec as given.")
-      : !has_result(given)
-          ? fmt::format(
-                "The spec as given has no result under this load. {}Of all proposals, this "
-                "proposal has the least sum of transmission error and pressure, each relative to "
-                "proposal {}.",
-                edges, reference(list) + 1)
-          : fmt::format(
-                "{}This proposal has the least sum of transmission error ({}″) and pressure ({} "
-                "N/mm²{}), each relative to the spec as given. Only proposals that do not increase "
-                "the transmission error are compared. A proposal with more changes is recommended "
-                "only if it is better by 1 %.",
-                edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
-                arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
-                p.at_limits ? " at the limits of the helix slopes" : "");
+  const int rank = rank_of(p, least_pressure(list, quiet));
+  const bool compared = best > 0 && has_result(given);
+  const auto change = [&](double from, double to, int decimals) {
+    return compared ? arrow(from, to, decimals) : fixed_decimals(to, decimals);
+  };
+  std::string text = fmt::format(
+      "{}{}{} is recommended because its pressure ({} N/mm²{}) is the least of all proposals whose "
+      "transmission error ({}″) is at most {:g} µm along the line of action greater than the least "
+      "one. Proposals with a loaded edge are compared only if there are no others.",
+      has_result(given) ? "" : "The spec as given has no result under this load. ", edges,
+      best == 0 ? "The spec as given" : "This proposal",
+      change(pressed(given, rank).max_pressure, pressed(p, rank).max_pressure, 0),
+      p.at_limits && rank == 0 ? " at the limits of the helix slopes" : "",
+      change(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
+      kSameTransmission * kUmPerMm);
+  if (p.at_limits)
+    text += fmt::format(
+        " A loaded edge at the limits of the helix slopes is worse, unless its absence costs more "
+        "than {:.0f} % of pressure.",
+        100 * (kMostPressure - 1));
+  if (has_result(given))
+    text += fmt::format(
+        " Proposals that increase the transmission error by more than {:g} µm are not compared.",
+        kSameTransmission * kUmPerMm);
+  if (best > 0)
+    text += " A proposal with more changes is recommended only if its pressure is lower by 1 %.";
   // Proposals are compared by the transmission error of the nominal teeth. At the limits of the
   // helix slopes, the transmission error may therefore exceed that of the spec as given.
   if (p.at_limits && given.at_limits && rises(*p.at_limits, *given.at_limits))
@@ -221,7 +249,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
         arrow(given.at_limits->peak_to_peak.arcsec(), p.at_limits->peak_to_peak.arcsec(), 2));
   if (p.at_limits && p.at_limits->edge_carries && !p.worst.edge_carries)
     text += " At the limits of the helix slopes, an edge of a tooth carries load." +
-            too_pressed(list, p);
+            too_pressed(list, quiet, p);
   if (!p.worst.edge_carries) return text;
   if (const auto other = quietest_without_edge(list))
     text += fmt::format(
@@ -238,33 +266,23 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 }  // namespace
 
-std::size_t recommended(const std::vector<Proposal>& list) {
-  GW_EXPECTS(!list.empty());
-  // A proposal with a smaller edge_rank() is always better. At equal rank, the proposal with the
-  // smaller merit is better. Later proposals change more of the spec. At equal rank, a later
-  // proposal is therefore chosen only if its merit is smaller by more than 1 %.
+std::size_t recommended(const std::vector<Proposal>& list, double base_radius_2) {
+  GW_EXPECTS(!list.empty() && base_radius_2 > 0.0);
+  const std::vector<std::size_t> quiet = quiet_proposals(list, kSameTransmission / base_radius_2);
+  const double least = least_pressure(list, quiet);
+  int rank = 2;
+  for (const std::size_t i : quiet) rank = std::min(rank, rank_of(list[i], least));
+  // Later proposals change more of the spec. A later proposal is therefore chosen only if its
+  // pressure is lower by more than 1 %.
   constexpr double kWorth = 0.99;
-  const Proposal& given = list.front();
-  const Proposal& unit = list[reference(list)];
-  const auto merit = [&](const Proposal& p) {
-    return p.worst.peak_to_peak.rad() / unit.worst.peak_to_peak.rad() +
-           pressed(p).max_pressure / pressed(unit).max_pressure;
-  };
-  const double least = least_pressure(list);
-  std::size_t best = 0;
-  double best_merit = merit(given);
-  bool found = is_possible(given, given);
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    if (!is_possible(list[i], given)) continue;
-    const int rank = edge_rank(list[i], least);
-    const int best_rank = edge_rank(list[best], least);
-    const double m = merit(list[i]);
-    if (found && (rank > best_rank || (rank == best_rank && !(m < kWorth * best_merit)))) continue;
-    best = i;
-    best_merit = m;
-    found = true;
+  std::optional<std::size_t> best;
+  for (const std::size_t i : quiet) {
+    if (rank_of(list[i], least) > rank) continue;
+    if (!best ||
+        pressed(list[i], rank).max_pressure < kWorth * pressed(list[*best], rank).max_pressure)
+      best = i;
   }
-  return best;
+  return best.value_or(0);
 }
 
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress) {
@@ -328,6 +346,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
       p.loads = known.loads;
       p.worst = known.worst;
       p.at_limits = known.at_limits;
+      p.without_load = known.without_load;
       p.transmission_error = known.transmission_error;
       jobs.push_back(jobs[i]);
       a.proposals.push_back(std::move(p));
@@ -354,8 +373,9 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     a.specs.push_back(std::move(spec));
   }
   for (std::size_t i = 0; i < a.specs.size(); ++i) a.proposals[i].spec = to_value(a.specs[i]);
-  a.recommended = recommended(a.proposals);
-  a.reason = reason_of(a.proposals, a.recommended);
+  const double base_radius_2 = given.gear(2).base_radius();
+  a.recommended = recommended(a.proposals, base_radius_2);
+  a.reason = reason_of(a.proposals, a.recommended, base_radius_2);
   for (const auto& remarks : {wanted.remarks, left_out})
     for (const std::string& remark : remarks) a.reason += " " + remark;
   if (job.spec.errors.any())

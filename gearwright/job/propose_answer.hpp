@@ -31,13 +31,14 @@ struct ProposeAnswer : ProposeView {
 ///           contact; double-helical gears; the errors of answer_load
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullptr);
 
-/// Returns the index of the recommended proposal. Index 0 is the spec as given.
+/// Returns the index of the recommended proposal. Index 0 is the spec as given. `base_radius_2` is
+/// r_b2 in mm, which converts the transmission error to the line of action.
 ///
 /// Formula   [T12.33]
 /// Domain    at least one proposal (contract)
-/// Law       the transmission error of the recommended proposal is at most that of the first
-///           proposal
-std::size_t recommended(const std::vector<Proposal>& proposals);
+/// Law       the transmission error of the recommended proposal exceeds that of the first proposal
+///           by at most 0.5 µm along the line of action
+std::size_t recommended(const std::vector<Proposal>& proposals, double base_radius_2);
 
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 

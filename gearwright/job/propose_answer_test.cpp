@@ -1,5 +1,5 @@
-// Laws of the proposals: (1) their effects are the results of `load` for their specs; (2) a
-// recommended proposal never has more transmission error than the spec as given.
+// Laws of the proposals: (1) their effects are the results of `load` for their specs; (2) the
+// transmission error of a recommended proposal exceeds that of the spec as given by at most 0.5 µm.
 #include "gearwright/job/propose_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -88,6 +89,20 @@ TEST(Propose, EffectsAreThoseOfLoadForTheSpec) {
                          {0, 1, 4, 7});
 }
 
+// The value without load is that of `contact` for the spec. Reliefs raise it.
+TEST(Propose, ErrorWithoutLoadIsThatOfContactForTheSpec) {
+  const ProposeAnswer a = propose_for(spur_spec() + "torque_Nm = 100\n");
+  EXPECT_EQ(a.proposals[0].without_load->rad(), 0.0);
+  for (std::size_t i = 1; i < a.proposals.size(); ++i) {
+    auto solved = solve(*read_spec_tree(a.specs[i]), Scope::everything);
+    SolvedJob job = std::move(solved).take();
+    const auto contact = answer_contact(job);
+    ASSERT_TRUE(contact && contact->continuous_span);
+    EXPECT_NEAR(a.proposals[i].without_load->arcsec(), contact->continuous_span->arcsec(), 1e-9);
+  }
+  EXPECT_GT(a.proposals[2].without_load->arcsec(), a.proposals[2].worst.peak_to_peak.arcsec());
+}
+
 TEST(Propose, NeverRecommendsMoreTransmissionErrorThanAsGiven) {
   std::mt19937 random(35);
   const auto between = [&](double lo, double hi) {
@@ -102,7 +117,10 @@ TEST(Propose, NeverRecommendsMoreTransmissionErrorThanAsGiven) {
         (trial % 3 ? "deflection_slope_um = " + std::to_string(between(-20, 20)) + "\n" : "") +
         "torque_Nm = " + std::to_string(between(5, 300)) + "\n");
     const Proposal& best = a.proposals[a.recommended];
-    EXPECT_LE(best.worst.peak_to_peak.rad(), a.proposals[0].worst.peak_to_peak.rad()) << trial;
+    const double r_b2 = 1.5 * (25 + 5 * trial) * std::cos(20 * kRadPerDeg);
+    EXPECT_LE(best.worst.peak_to_peak.rad(),
+              a.proposals[0].worst.peak_to_peak.rad() + 0.5e-3 / r_b2)
+        << trial;
     EXPECT_FALSE(best.worst.edge_carries && !a.proposals[0].worst.edge_carries) << trial;
     EXPECT_FALSE(a.reason.empty());
   }
@@ -127,25 +145,43 @@ TEST(Propose, ReasonNamesCompensateAndLossesAtTheLimits) {
   }
 }
 
-TEST(Propose, RecommendsByEdgesThenBySum) {
-  EXPECT_EQ(recommended({with_score(10, 900)}), 0u);
-  EXPECT_EQ(recommended({with_score(10, 900), with_score(10.001, 100)}), 0u);
-  EXPECT_EQ(recommended({with_score(10, 900), with_score(5, 900), with_score(6, 600)}), 2u);
-  EXPECT_EQ(recommended({with_score(10, 900, true), with_score(5, 400, true), with_score(9, 900)}),
-            2u);
-  EXPECT_EQ(recommended({with_score(10, 900), with_score(5, 400, true)}), 0u);
-  // An improvement of less than 1 % is not worth another modification.
-  EXPECT_EQ(recommended({with_score(10, 900), with_score(5, 900), with_score(4.95, 900)}), 1u);
+constexpr double kRadius = 100.0;  // r_b2  mm; 1″ is 0.485 µm on the line of action
+
+std::size_t best_of(const std::vector<Proposal>& list) { return recommended(list, kRadius); }
+
+// The transmission error may exceed the least one by 0.5 µm (1.03″). Within this range, the least
+// pressure decides. [T12.33]
+TEST(Propose, RecommendsByEdgesThenByErrorThenByPressure) {
+  EXPECT_EQ(best_of({with_score(10, 900)}), 0u);
+  EXPECT_EQ(best_of({with_score(10, 900), with_score(11.1, 100)}), 0u);
+  EXPECT_EQ(best_of({with_score(10, 900), with_score(11, 850)}), 1u);
+  EXPECT_EQ(best_of({with_score(10, 900), with_score(5, 900), with_score(6, 850)}), 2u);
+  EXPECT_EQ(best_of({with_score(10, 900), with_score(5, 900), with_score(6.1, 850)}), 1u);
+  EXPECT_EQ(best_of({with_score(10, 900, true), with_score(5, 400, true), with_score(9, 900)}), 2u);
+  EXPECT_EQ(best_of({with_score(10, 900), with_score(5, 400, true)}), 0u);
+  // A pressure that is lower by less than 1 % is not worth another modification.
+  EXPECT_EQ(best_of({with_score(10, 900), with_score(5, 900), with_score(4.95, 892)}), 1u);
   Proposal lost;
-  EXPECT_EQ(recommended({lost, with_score(5, 900)}), 1u);
-  EXPECT_EQ(recommended({lost, with_score(9, 900), with_score(5, 900)}), 2u);
-  EXPECT_EQ(recommended({with_score(10, 900), lost}), 0u);
+  EXPECT_EQ(best_of({lost, with_score(5, 900)}), 1u);
+  EXPECT_EQ(best_of({lost, with_score(9, 900), with_score(5, 900)}), 2u);
+  EXPECT_EQ(best_of({with_score(10, 900), lost}), 0u);
   // With tolerances, the pressure and the loaded edges at the limits of the tolerances decide.
   Proposal crowned = with_score(10, 950);
   crowned.at_limits = crowned.worst;
   Proposal plain = with_score(10, 900);
   plain.at_limits = with_score(12, 1400, true).worst;
-  EXPECT_EQ(recommended({plain, crowned}), 1u);
+  EXPECT_EQ(best_of({plain, crowned}), 1u);
+}
+
+// The long relief is quieter by 0.24 µm (0.5″), but its pressure is greater.
+TEST(Propose, DoesNotPayForAQuarterOfAMicrometreWithPressure) {
+  const Proposal given = with_score(2.0, 1000, true);
+  EXPECT_EQ(best_of({given, with_score(1.5, 960), with_score(1.0, 1000)}), 1u);
+  // An edge carries load at the limits of both. The pressures there are lower bounds.
+  Proposal short_relief = with_score(1.5, 870), long_relief = with_score(1.0, 1040);
+  short_relief.at_limits = with_score(2.5, 1100, true).worst;
+  long_relief.at_limits = with_score(2.0, 1050, true).worst;
+  EXPECT_EQ(best_of({given, short_relief, long_relief}), 1u);
 }
 
 // A proposal is preferred because no edge carries load at the limits, but only if its pressure
@@ -154,11 +190,11 @@ TEST(Propose, DoesNotPayForFreeEdgesWithMuchPressure) {
   for (const double pressure : {900.0, 960.0}) {
     Proposal quiet = with_score(4, 860);
     quiet.at_limits = with_score(9, 1030, true).worst;
-    Proposal free = with_score(9, pressure);
+    Proposal free = with_score(4.5, pressure);
     free.at_limits = with_score(8, 1100).worst;
     Proposal given = with_score(10, 870, true);
     given.at_limits = with_score(12, 1110, true).worst;
-    EXPECT_EQ(recommended({given, quiet, free}), pressure > 1.1 * 860 ? 1u : 2u) << pressure;
+    EXPECT_EQ(best_of({given, quiet, free}), pressure > 1.1 * 860 ? 1u : 2u) << pressure;
   }
 }
 

@@ -180,9 +180,11 @@ Json unfinished_json(const SearchRun& run) {
 std::string rating_line(const SearchProblem& problem) {
   if (!problem.rating) return {};
   const RatingInput& in = problem.rating->input;
+  const auto& output = problem.rating->output_torque;
   const SearchLimits& limits = problem.limits;
-  std::string text = fmt::format("rated by {}, {:g} N m on gear 1, face width {}", name(in.edition),
-                                 in.torque, face_words(problem));
+  std::string text =
+      fmt::format("rated by {}, {:g} N m on gear {}, face width {}", name(in.edition),
+                  output.value_or(in.torque), output ? 2 : 1, face_words(problem));
   if (limits.safety_flank) text += fmt::format(", S_H ≥ {:g}", *limits.safety_flank);
   if (limits.safety_root) text += fmt::format(", S_F ≥ {:g}", *limits.safety_root);
   return text;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "gearwright/base/printable.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/listing.hpp"
@@ -83,8 +83,8 @@ std::string overlap_line(const SearchProblem& problem, const SearchAnswer& answe
 // Returns, for example, "β from 5° to 30° is a default. …". The text is empty if the spec
 // determines the helix angles.
 std::string default_helix_line(const SearchProblem& problem) {
-  if (!problem.default_helix_deg) return {};
-  const auto& [least, greatest] = *problem.default_helix_deg;
+  if (!problem.default_overlap_helix) return {};
+  const auto& [least, greatest] = problem.overlap_helix_deg;
   return fmt::format(
       "β from {:g}° to {:g}° is a default. Give helix_angle_deg = [least, greatest] in [search] "
       "for another band.",
@@ -114,7 +114,7 @@ std::vector<SearchReason> reasons_of(const SearchProblem& problem, const SearchR
   if (run.default_face_load) lines.push_back({face_load_line(run)});
   if (const std::string line = assumed_line(run.assumed); !line.empty())
     lines.push_back({sentence_in(units, line)});
-  if (problem.default_helix_deg) lines.push_back({default_helix_line(problem)});
+  if (problem.default_overlap_helix) lines.push_back({default_helix_line(problem)});
   if (problem.rating_unused) lines.push_back({std::string(kRatingUnused)});
   if (run.pair_not_read) lines.push_back({std::string(kPairNotRead)});
   if (run.teeth_not_read) lines.push_back({std::string(kTeethNotRead)});

@@ -198,12 +198,11 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
 }
 
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
-                                      SheetFormat format, std::optional<SheetSize> size,
-                                      const std::filesystem::path& path,
+                                      SheetFormat format, const std::filesystem::path& path,
                                       const FileOptions& options) {
   GW_EXPECTS(!gears.empty());
   if (options.on_file) options.on_file(path.filename().string());
-  const auto made = workshop_sheets(job, gears, size, options.drawing_tolerance_mm);
+  const auto made = workshop_sheets(job, gears, options.sheet, options.drawing_tolerance_mm);
   if (!made) return made.error();
   const DrawingInput words = title_words(job);
   const SheetWords about{words.title, words.author};

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/cad/gear_sheet.hpp"
 #include "gearwright/job/files.hpp"
 
 namespace gearwright {
@@ -37,10 +36,11 @@ std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        std::optional<SheetSize> size, double tolerance_mm);
 
+/// Makes the file of workshop_sheets(), with the size and the tolerance of the options.
+///
 /// Domain    at least one gear (contract)
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
-                                      SheetFormat format, std::optional<SheetSize> size,
-                                      const std::filesystem::path& path,
+                                      SheetFormat format, const std::filesystem::path& path,
                                       const FileOptions& options);
 
 }  // namespace gearwright

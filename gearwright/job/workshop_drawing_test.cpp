@@ -128,6 +128,10 @@ TEST(WorkshopDrawing, has_the_limits_of_the_tip_diameter) {
   // Two equal deviations: the only permitted size is not the nominal one, 50 mm.
   const std::string equal = "\n[gear1.tolerance]\ntip_diameter_deviations_mm = [-0.05, -0.05]";
   EXPECT_TRUE(contains(pinion + equal, "49.95 … 49.95"));
+  // Two deviations of 0 are no tolerance: the drawing has the nominal size and blank limits.
+  const std::string zero = "\n[gear1.tolerance]\ntip_diameter_deviations_mm = [0, 0]";
+  EXPECT_TRUE(contains(pinion + zero, "Tip diameter, limits"));
+  EXPECT_FALSE(contains(pinion + zero, " … "));
 }
 
 // Without [gear1.bore], the rim is 2.5 modules thick. With d_f = 62.5 mm, its outside diameter is

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
@@ -208,7 +209,8 @@ std::string halves_of(const ContactReport& report, const FigureForm& form) {
 
 }  // namespace
 
-std::string contact_section(const ContactReport& report, const FigureForm& form) {
+std::string contact_section(const ContactReport& report, const FigureForm& form,
+                            std::string_view title) {
   GW_EXPECTS(report.gears[0] && (report.gears[1] || report.driving.rack) && report.positions >= 2);
   GW_EXPECTS(report.driving.positions.size() == static_cast<std::size_t>(report.positions));
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
@@ -218,7 +220,7 @@ std::string contact_section(const ContactReport& report, const FigureForm& form)
       "specification, and the first contact of the flanks is computed at each "
       "position.</p>\n<p><strong>{}</strong></p>\n{}",
       contact_words(report.driving, report.span[0]), assumed(report));
-  return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
+  return fmt::format("<section class=\"contact\">\n<h2>{}</h2>\n", title) +
          in_columns(what, "\n" + facts(report, form.units)) + te_part(report, form) +
          (report.halves.empty() ? pattern_part(report, form) + gap_part(report, form)
                                 : halves_of(report, form)) +

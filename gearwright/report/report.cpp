@@ -263,7 +263,8 @@ std::string report_html(const ReportInput& input) {
   GW_EXPECTS(!input.rack || input.gears.size() == 1);
   GW_EXPECTS(!input.pair || input.gears.size() == 2);
   const UnitSystem units = input.units;
-  // The most important sections come first, and the data sheets of the gears later.
+  // The most important sections come first, and the data sheets of the gears later. Under a given
+  // load, the contact of rigid teeth is less important than the loaded one.
   const std::vector<Figure> deciding = deciding_figures(input);
   FigureForm form(units);
   for (const Figure& figure : deciding) form.above.push_back(figure.id);
@@ -274,8 +275,10 @@ std::string report_html(const ReportInput& input) {
                    [&](const auto& pair) { return pair_section(pair, kShapes, form); }});
   }
   if (input.rack) sections += rack_section(*input.rack, kShapes, form);
-  if (input.contact) sections += contact_section(*input.contact, form);
   if (input.load) sections += load_section(*input.load, kShapes, form);
+  if (input.contact)
+    sections += contact_section(*input.contact, form,
+                                input.load ? "Tooth contact without load" : "Tooth contact");
   if (input.propose) sections += propose_section(*input.propose, input.units);
   if (input.compensate) sections += compensate_section(*input.compensate, units);
   if (input.scatter) sections += scatter_section(*input.scatter, units);

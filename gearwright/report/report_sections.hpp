@@ -65,7 +65,8 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 /// Domain    two gears with teeth, or a pinion and its rack; `driving` and `other` have the same
 ///           positions over one pitch, and `driving` has contact at some position; rasters of at
 ///           least 2 × 2 nodes (contract)
-std::string contact_section(const ContactReport& report, const FigureForm& form = {});
+std::string contact_section(const ContactReport& report, const FigureForm& form = {},
+                            std::string_view title = "Tooth contact");
 
 /// Writes the section about teeth under load. Each subject has one paragraph and its pictures.
 ///

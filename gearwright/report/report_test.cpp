@@ -116,6 +116,21 @@ Values ids_at_the_head(const std::string& page) {
   return ids;
 }
 
+// Under a load, the loaded contact comes first, and the other section states that it has no load.
+TEST(Report, LoadComesBeforeTheContactWithoutLoad) {
+  const testing::LoadSample load = testing::load_sample(testing::spur_pair(), {100e3}, 0.0);
+  const testing::ContactSample contact = testing::helical_contact();
+  ReportInput input = report_input(*load.pair);
+  input.contact = &contact.report;
+  EXPECT_NE(report_html(input).find("<h2>Tooth contact</h2>"), std::string::npos);
+  input.load = &load.report;
+  const std::string page = report_html(input);
+  const std::size_t first = page.find("<h2>Under load</h2>");
+  const std::size_t second = page.find("<h2>Tooth contact without load</h2>");
+  ASSERT_NE(second, page.npos);
+  EXPECT_LT(first, second);
+}
+
 TEST(Report, FiguresThatDecideAreAtTheHead) {
   const auto expect_head = [](const ReportInput& input, const Values& ids) {
     const std::string page = report_html(input);

@@ -101,10 +101,11 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables, int halves) {
   std::vector<Error> missing;
-  if (!rating.torque && !rating.power) {
-    missing.push_back(absent_input("rating.torque_Nm",
-                                   "; a rating needs a load. Give power_kW with speed_rpm, or give "
-                                   "torque_Nm on gear 1, for example torque_Nm = 50"));
+  if (!rating.torque && !rating.power && !rating.output_torque) {
+    missing.push_back(absent_input(
+        "rating.torque_Nm",
+        "; a rating needs a load. Give power_kW with speed_rpm, torque_Nm on gear 1, for example "
+        "torque_Nm = 50, or output_torque_Nm on gear 2"));
   }
   RatingInput input = rating.input;
   if (input.face_load_computed) input.face_load_factor = 1.0;  // replaced by the computed value
@@ -133,10 +134,10 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (spec.search || spec.given.contains("search") || unknown(1) || unknown(2) || spec.drive)
     return missing;
   const bool two = spec.given.contains("gear2");
-  const bool torque = !spec.load.torques.empty();
+  const bool torque = !spec.load.torques.empty() || !spec.load.output_torques.empty();
   const bool probes_alone = use == SpecUse::load && !torque && !spec.load.probes.empty();
   const bool of_two = use != SpecUse::geometry && use != SpecUse::run && !probes_alone;
-  const bool rating_torque = spec.rating.torque || spec.rating.power;
+  const bool rating_torque = spec.rating.torque || spec.rating.power || spec.rating.output_torque;
   if (use == SpecUse::propose && !torque && !rating_torque)
     missing.push_back(absent_input("load.torque_Nm",
                                    ": enter a torque on gear 1 in N m, for example torque_Nm = "

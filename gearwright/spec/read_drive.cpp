@@ -33,7 +33,8 @@ bool gives_band(const Json& node) {
   return backlash != node.end() && backlash->is_array() && backlash->size() == 2;
 }
 
-// Rejects a number or a material of a gear or a mesh that the set does not have.
+}  // namespace
+
 void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec& set) {
   std::vector<std::string> gears, meshes;
   for (std::size_t m = 0; m < kSetMembers; ++m)
@@ -62,8 +63,6 @@ void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec
     }
   }
 }
-
-}  // namespace
 
 void need_speeds(const TableReader& t, const std::vector<double>& speeds_rpm, std::size_t inputs) {
   if (const auto error = check_speeds(speeds_rpm, inputs)) t.fail("speed_rpm", error->rule);

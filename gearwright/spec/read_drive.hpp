@@ -43,6 +43,10 @@ MeshLoadFactors read_mesh_load_factors(const Json& tree);
 /// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 
+/// Rejects a number or a material of a gear or a mesh that the set does not have. `node` is a table
+/// with keys of [planetary], read by `t`.
+void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec& set);
+
 /// Fails as check_speeds() if the table gives other than one number for each input of the drive.
 void need_speeds(const TableReader& t, const std::vector<double>& speeds_rpm, std::size_t inputs);
 

@@ -68,6 +68,11 @@ DriveSearchProblem read_drive_search(const Json& search) {
   t.read(p);
   t.require_all();
   check_members(t, p);
+  if (p.kind != DriveKind::train) {
+    PlanetarySpec set;  // with the members of this kind, without their numbers of teeth
+    for (const SetMember member : members_of(p)) set.z(member) = 1;
+    check_set_names(t, search, set);
+  }
   t.any("material");
   t.finish();
   need_speeds(t, p.base.speeds_rpm, std::max<std::size_t>(p.base.inputs.size(), 1));

@@ -143,6 +143,20 @@ TEST(ReadForms, names_of_gears_and_meshes_that_the_set_has) {
             "");
 }
 
+TEST(ReadForms, names_of_gears_and_meshes_that_the_drives_of_a_search_have) {
+  const std::string search = "[search]\nratio = [4, 5]\nnormal_module_mm = 2\nkind = ";
+  EXPECT_EQ(
+      refused_form(search + "\"planetary\"\nprofile_shift = { sun2 = 0.2 }\n"),
+      "search.profile_shift.sun2 = 0.2: is not a gear of this set; the names are sun, planet, "
+      "ring");
+  EXPECT_EQ(refused_form(search + "\"stepped\"\nmesh_efficiency = { planet_ring = 0.99 }\n"),
+            "search.mesh_efficiency.planet_ring = 0.99: is not a mesh of this set; the names are "
+            "sun_planet, planet_ring2");
+  EXPECT_EQ(refused_form(search + "\"planetary\"\nprofile_shift = { sun = 0.2 }\n"
+                                  "mesh_efficiency = { planet_ring = 0.99 }\n"),
+            "");
+}
+
 TEST(ReadForms, a_list_of_bodies_contains_no_body_twice) {
   EXPECT_EQ(refused_form(kSet + "fixed = [\"ring\", \"ring\"]\n"),
             "planetary.fixed = [\"ring\", \"ring\"]: contains ring twice");

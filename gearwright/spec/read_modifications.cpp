@@ -129,16 +129,16 @@ std::string read_whole(const TableReader& t, const std::string& key, const fs::p
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (error == std::errc::permission_denied)
-    throw IoError("cannot read " + shown + ": " + error.message());
+    throw IoError("cannot read", path, error.default_error_condition().value(), error.message());
   if (!fs::is_regular_file(status)) {
     t.fail(key, fmt::format("{} is not a file; a relative name starts at the folder of the spec",
                             shown));
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError("cannot read " + shown + ": " + std::strerror(errno));
+  if (!file) throw IoError("cannot read", path, errno);
   std::string text(kMaxTopography + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad()) throw IoError("cannot read " + shown + ": " + std::strerror(errno));
+  if (file.bad()) throw IoError("cannot read", path, errno);
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxTopography) {
     t.fail(key, fmt::format("has more than {} bytes; use a coarser grid, which is sufficient "

@@ -110,21 +110,19 @@ void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
            "determines the helix angles itself; leave out helix_angle_deg, or give a band, "
            "helix_angle_deg = [least, greatest]");
   std::array<double, 2> band = kUsualOverlapHelix_deg;
-  if (given)
-    band = {given->front(), given->back()};
-  else
-    p.default_helix_deg = band;
+  if (given) band = {given->front(), given->back()};
+  p.default_overlap_helix = !given;
   if (p.face_diameters)
     t.fail("face_width_diameters",
            "cannot be combined with overlap_ratio, because the helix angles are the same for all "
            "numbers of teeth; use face_width_mm or face_width_modules");
   if (!p.face_width && !p.face_modules) {
     if (!p.limits.safety_flank && !p.limits.safety_root)
-      t.fail(
-          key,
-          "needs face widths, from which the helix angle follows; give face_width_mm or "
-          "face_width_modules, or a required safety by safety_flank_min or safety_root_min in [search], with "
-          "which all widths from 0.2 to 1 times the reference diameter of the pinion are tried");
+      t.fail(key,
+             "needs face widths, from which the helix angle follows; give face_width_mm or "
+             "face_width_modules, or a required safety by safety_flank_min or safety_root_min in "
+             "[search], with "
+             "which all widths from 0.2 to 1 times the reference diameter of the pinion are tried");
     p.face_diameters = kUsualFace;
   }
   auto sorted = *ratios;
@@ -140,7 +138,9 @@ void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
                             "but at most {} are allowed; narrow the bands, or use a greater "
                             "face_width_step_mm",
                             count, kMaxAngles));
-  p.choices = whole_overlap_choices(p, sorted, band);
+  p.overlap_ratios = sorted;
+  p.overlap_helix_deg = band;
+  set_overlap_choices(p);
   if (p.choices.empty()) {
     const auto any = whole_overlap_choices(p, sorted, {kLeastOverlapHelix_deg, 89.0});
     t.fail(key,
@@ -154,9 +154,6 @@ void read_overlaps(TableReader& t, SearchProblem& p, bool of_gear) {
                      format_number(any.front().helix.deg()), format_number(any.back().helix.deg()),
                      given ? "" : fmt::format(" (default: [{:g}, {:g}])", band[0], band[1])));
   }
-  p.helix.clear();
-  for (const HelixChoice& choice : p.choices)
-    if (p.helix.empty() || p.helix.back() != choice.helix) p.helix.push_back(choice.helix);
 }
 
 void read_limits(TableReader& t, SearchProblem& p) {

@@ -50,7 +50,8 @@ std::string rating_key(const Json& search) {
 
 constexpr const char* kNeedsRating =
     "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
-    "power_kW), speed_rpm = 1500 and quality = 6, and [gear1.material] with name = \"16MnCr5\"";
+    "power_kW, or output_torque_Nm on gear 2), speed_rpm = 1500 and quality = 6, and "
+    "[gear1.material] with name = \"16MnCr5\"";
 
 // Returns the first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
@@ -156,6 +157,7 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   SearchRating wanted;
   wanted.input = rating.input;
   wanted.power_kW = rating.power;
+  if (spec.load.driver != 2) wanted.output_torque = rating.output_torque;
   if (rating.web_thickness) {
     wanted.web = rating.web_thickness;
     wanted.rim = rating.rim_thickness;

@@ -185,6 +185,30 @@ void share_shafts(const Json& tree, JobSpec& spec) {
   if (shafts.any()) spec.rating.input.shafts = shafts;
 }
 
+// Computes the torques on gear 1 from the torques on the driven gear, without losses. In a search,
+// the numbers of teeth are those of each design, and only the case that gear 2 drives is known here.
+void find_input_torques(const Json& tree, JobSpec& spec) {
+  LoadInput& load = spec.load;
+  RatingTable& rating = spec.rating;
+  if (load.output_torques.empty() && !rating.output_torque) return;
+  const std::string table = load.output_torques.empty() ? "rating" : "load";
+  if (is_drive(tree) || is_drive_search(tree.value("search", Json())))
+    throw SpecError{{table + ".output_torque_Nm", shown(tree[table]["output_torque_Nm"]),
+                     "applies to a pair; for a drive, give the torque on the input by torque_Nm, "
+                     "T_in = T_out/(i η). The command `gearwright drive` computes i and η without "
+                     "a torque"}};
+  double share = 1.0;  // torque on gear 1 divided by the torque on the driven gear
+  if (load.driver != 2) {
+    if (!spec.has(1) || !spec.has(2)) return;
+    share = std::abs(static_cast<double>(spec.gear(1).cylindrical.teeth) /
+                     spec.gear(2).cylindrical.teeth);
+  }
+  for (const double torque : load.output_torques) load.torques.push_back(torque * share);
+  if (!rating.output_torque) return;
+  rating.torque = *rating.output_torque * share;
+  rating.input.torque = *rating.torque;
+}
+
 // Rejects K_Hβ = "computed" for specs whose rating cannot compute it: searches, drives and
 // double-helical gears.
 void refuse_computed_face_load(const Json& tree, const JobSpec& spec) {
@@ -347,6 +371,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   share_with_rating(tree, spec);
   check_speeds(spec);
   share_shafts(tree, spec);
+  find_input_torques(tree, spec);
   refuse_computed_face_load(tree, spec);
   if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });
   if (spec.search) lacks.of([&] { read_search_drawing(*search, *spec.search); });

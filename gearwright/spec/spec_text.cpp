@@ -406,10 +406,10 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
   const std::string name = pipe ? "standard input" : path.string();
   std::error_code error;
   if (!pipe && std::filesystem::is_directory(path, error))
-    throw IoError("cannot read " + name + ": it is a folder");
+    throw IoError("cannot read", path, EISDIR, "it is a folder");
   std::ifstream file;
   if (!pipe) file.open(path, std::ios::binary);
-  if (!pipe && !file) throw IoError("cannot read " + name + ": " + std::strerror(errno));
+  if (!pipe && !file) throw IoError("cannot read", path, errno);
   std::istream& in = pipe ? std::cin : file;
   SpecText read{name, {}};
   std::array<char, 16384> part;
@@ -417,7 +417,7 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     in.read(part.data(), part.size());
     read.text.append(part.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (in.bad()) throw IoError("cannot read " + name + ": " + std::strerror(errno));
+  if (in.bad()) throw IoError("cannot read", name, errno);
   if (read.text.size() > kMaxSpec) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));

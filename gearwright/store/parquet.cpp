@@ -93,7 +93,7 @@ struct ParquetWriter::State {
 
   [[noreturn]] void fail(int error) {
     file.close();
-    throw IoError("cannot write " + native_text(path) + ": " + std::strerror(error));
+    throw IoError("cannot write", path, error);
   }
 
   void write(std::string_view bytes) {

@@ -249,6 +249,14 @@ class Rate(unittest.TestCase):
         self.assertEqual(run.status, 0, run.err)
         self.assertEqual([f["code"] for f in run.json["verdict"]["findings"] if f["code"].endswith("_safety")], [])
 
+    def test_the_pair_on_shafts_can_be_built(self):
+        """Its backlash exceeds the recommendation of ISO/TR 10064-2 within its tolerances. The verdict has no finding."""
+        run = Run("rate", (SOURCE / "examples/shaft_pair.toml").read_text(), "--json")
+        self.assertEqual(run.json["verdict"]["findings"], [])
+        pair = Run("pair", (SOURCE / "examples/shaft_pair.toml").read_text(), "--json").json["pair"]
+        m_n, a = 4, pair["center_distance_mm"]
+        self.assertGreater(min(pair["interval"]["backlash"]["normal_mm"]), 2 / 3 * (0.06 + 0.0005 * a + 0.03 * m_n))
+
     def test_later_edition(self):
         a, b = (self.rated(spec(RATING + f'standard = "ISO 6336:{year}"\n')) for year in (2006, 2019))
         self.assertNotEqual(a["Y_F"], b["Y_F"])

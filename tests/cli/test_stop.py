@@ -74,6 +74,14 @@ class Stop(unittest.TestCase):
         drive = "[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\nnormal_module_mm = 2\ntorque_Nm = 5\n"
         self.assertIn("run, 2 s: ", self.stopped("run", drive + POSITIONS, signal.SIGINT, "--json"))
 
+    def test_export_leaves_no_file(self):
+        """A 3MF file of millions of triangles takes a minute. Regression: the signal itself ended the program, also while it
+        wrote files."""
+        drive = "[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\nnormal_module_mm = 20\nhelix_angle_deg = 20\n"
+        for spec, tolerance in ((drive, "3e-3"), (pair(), "1e-4")):
+            first = self.stopped("export", spec, signal.SIGINT, "--3mf", "a.3mf", "--mesh-tolerance", tolerance)
+            self.assertIn("export, 2 s: making the files", first)
+
     def test_short_work_says_nothing(self):
         run = Run("contact", pair() + "[contact]\npositions = 8\n", "--json")
         self.assertEqual((run.status, run.err), (0, ""))

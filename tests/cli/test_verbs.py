@@ -159,7 +159,16 @@ class Verbs(unittest.TestCase):
             r = Run("export", PAIR, "--drawing", name)
             self.assertEqual(r.status, 2, name)
             self.assertIn(words, r.err)
-        self.assertEqual(Run("export", PAIR, "--drawing", "a.pdf", "--sheet", "A5").status, 2)
+        for verb in ("export", "run"):
+            self.assertEqual(Run(verb, PAIR, *(["--drawing", "a.pdf"] if verb == "export" else []), "--sheet", "A5").status, 2)
+        for sheet in ("A4", "A3"):
+            run = Run("run", PAIR, "--out", "o", "--only", "drawing", "--sheet", sheet, "--json")
+            self.assertEqual(run.json["files"][0]["note"].split(",")[0], sheet)
+            export = Run("export", PAIR, "--drawing", "a.pdf", "--sheet", sheet)
+            self.assertEqual((run.folder / "o/drawing.pdf").read_bytes(), (export.folder / "a.pdf").read_bytes())
+        drive = Run("run", "[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\n", "--sheet", "A3")
+        self.assertEqual(drive.status, 2)
+        self.assertIn("a drive has no workshop drawing", drive.err)
         title = 'title = "pair of 歯車"\n' + PAIR.replace('title = "helical pair"', "")
         note = Run("export", title, "--drawing", "a.pdf", "--json").json["files"][0]["note"]
         self.assertIn("4 letters are missing in the fonts of the PDF", note)

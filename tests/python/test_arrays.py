@@ -356,9 +356,17 @@ def test_shift_limits():
     assert ring.tip_tooth_thickness_normal == pytest.approx(0.9, abs=1e-9)
     pinion = gw.Gear(teeth=17, normal_module=1, profile_shift=gw.shift_limits(17)[1])
     assert pinion.tip_tooth_thickness_normal == pytest.approx(0.2, abs=1e-9)
-    for z in (17, -60):
-        for name in ("tip_thickness", "addendum", "flank_depth"):
-            assert np.isnan(gw.shift_limits(z, **{name: math.nan})).all(), (z, name)
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf])
+def test_numbers_for_all_rows_are_finite(number):
+    # Regression: pair_table(17, 43, addendum=nan) had sliding = inf
+    for form, names in ((lambda **a: gw.pair_table(17, 43, **a), ("addendum", "dedendum", "flank_depth")),
+                        (lambda **a: gw.shift_limits(17, **a), ("tip_thickness", "addendum", "flank_depth")),
+                        (lambda **a: gw.backlash(17, 43, 0, 0, 30.5, **a), ("normal_module",))):
+        for name in names:
+            with pytest.raises(ValueError, match=f"^{name} = {number}: must be finite"):
+                form(**{name: number})
 
 
 def test_arguments_of_closed_forms_are_named():

@@ -167,6 +167,22 @@ def test_designs_ranked_by_their_scatter():
     assert e.value.key == "scatter.errors"
 
 
+def test_designs_of_an_inch_spec_have_their_scatter_in_inch():
+    keys = {"samples": 8, "replicates": 1}
+    search = {**SEARCH["search"], "center_distance_mm": [60, 65]}
+    metric = gw.search({"search": search}, top=2, progress=False)
+    inch = gw.search({"units": "inch", "search": {**{k: v for k, v in search.items() if k != "center_distance_mm"},
+                                                  "center_distance_in": [60 / 25.4, 65 / 25.4]}}, top=2, progress=False)
+    rows = metric.scatter(errors={"center_distance_mm": [-0.0254, 0.0254]}, **keys)["designs"]
+    for row, other in zip(rows, inch.scatter(errors={"center_distance_in": [-0.001, 0.001]}, **keys)["designs"], strict=True):
+        assert other["center_distance_in"] == pytest.approx(row["center_distance_mm"] / 25.4, rel=1e-12)
+        assert other["peak_to_peak_arcsec"]["greatest"] == pytest.approx(row["peak_to_peak_arcsec"]["greatest"], rel=1e-6)
+        assert "center_distance_mm" not in other
+    with pytest.raises(gw.SpecError) as e:
+        inch.scatter(errors={"axial_in": "much"}, **keys)
+    assert e.value.key == "scatter.errors.axial_in"
+
+
 def test_measure():
     chord = gw.measure(pinion())["chordal_thickness"]
     # docs/programming.md contains the same numbers.

@@ -2,6 +2,7 @@
 key."""
 
 import copy
+import errno
 import json
 import math
 import os
@@ -250,8 +251,15 @@ def test_measure_and_verify(tmp_path):
     path.write_text(json.dumps(pair().spec))
     assert gw.measure(pair().spec) == gw.measure(path) == gw.measure(pair()) and len(gw.measure(pair())) == 2
     assert gw.measure(pinion()) == gw.measure({"gear1": pinion().spec})
-    with pytest.raises(gw.FileError, match="none.json"):
-        gw.verify(tmp_path / "none.json")
+    for reader in (gw.verify, gw.load):
+        with pytest.raises(gw.FileError, match="none.json") as missing:
+            reader(tmp_path / "none.json")
+        assert missing.value.errno == errno.ENOENT and missing.value.filename == str(tmp_path / "none.json")
+        again = pickle.loads(pickle.dumps(missing.value))
+        assert (again.errno, again.filename, str(again)) == (errno.ENOENT, missing.value.filename, str(missing.value))
+    with pytest.raises(gw.FileError) as absent:
+        pinion().stl(tmp_path / "absent" / "gear.stl")
+    assert absent.value.errno == errno.ENOENT and absent.value.filename == str(tmp_path / "absent" / "gear.stl")
     for call, needs in ((gw.search, "search"), (gw.identify, "measured"), (gw.Drive, "planetary")):
         with pytest.raises(gw.SpecError, match=needs) as e:
             call({})

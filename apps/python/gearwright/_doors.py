@@ -92,7 +92,7 @@ def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, 
         try:
             file = open(cases, encoding="utf-8")
         except OSError as error:
-            raise FileError(f"cannot read {os.fsdecode(cases)}: {error.strerror}") from error
+            raise FileError(error.errno, error.strerror, error.filename) from error
         with file:
             return _core._verify(json.load(file))
     # open() would accept a number as the descriptor of an open file

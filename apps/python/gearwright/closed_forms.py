@@ -47,7 +47,10 @@ def _number(name: str, value: float) -> float:
     """Returns the value of an argument that is the same for all rows."""
     if np.ndim(value) != 0:
         raise TypeError(f"{name}: must be one number for all rows, not {value!r}")
-    return float(_core._real(value))
+    number = float(_core._real(value))
+    if not math.isfinite(number):
+        raise ValueError(f"{name} = {number!r}: must be finite")
+    return number
 
 
 def _pressure_angle(angle: float) -> float:
@@ -108,7 +111,7 @@ def pair_table(
 
     addendum, dedendum and flank_depth (depth of the rack's straight flank) are in modules. Gear 2 may be internal, with
     more teeth than gear 1. If a formula does not apply to a row, if a number of teeth is 0 or not whole, or if the
-    module is not positive, the row is NaN.
+    module is not positive, the row is NaN. Numbers for all rows must be finite.
 
     The search uses the same formulas. For gears of the same rack, they agree with a Pair to 1e-12, with one exception:
     contact_ratio_true neglects undercut, so for an undercut gear it is too large, and the result of the Pair is valid.

@@ -63,8 +63,7 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
     if (gear == 0 || gear == which) chosen.push_back(which);
   if (chosen.empty()) return absent_input("gear2", " from the spec");
   if (kind == "drawing") {
-    auto made = make_workshop_drawing(job_, chosen, SheetFormat::pdf, std::nullopt, "drawing.pdf",
-                                      options);
+    auto made = make_workshop_drawing(job_, chosen, SheetFormat::pdf, "drawing.pdf", options);
     if (!made) return spelled(made.error(), job_.spec.given);
     return row(made->bytes);
   }

@@ -78,10 +78,10 @@ describe("load", () => {
     await page.waitForSelector("#room-load .proposals tr[data-proposal]", { timeout: kPatience });
     assert.equal(await page.locator("#room-load .proposals tr[data-proposal]").count(), expected.proposals.length);
     for (const [i, proposal] of expected.proposals.entries()) {
-      const score = await page.textContent(
-        `#room-load tr[data-proposal="${i + 1}"] [data-score="peak_to_peak_arcsec"]`,
-      );
-      shows(score, proposal.worst.peak_to_peak_arcsec);
+      const cell = (key) => page.textContent(`#room-load tr[data-proposal="${i + 1}"] [data-score="${key}"]`);
+      shows(await cell("peak_to_peak_arcsec"), proposal.worst.peak_to_peak_arcsec);
+      const without = "peak_to_peak_without_load_arcsec";
+      shows(await cell(without), proposal[without]);
     }
     assert.ok(expected.recommended > 1);
     await page.click(`#room-load button[aria-label="take proposal ${expected.recommended}"]`);

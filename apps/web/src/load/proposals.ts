@@ -8,8 +8,10 @@ import { shownUnit, textOf } from "../numbers";
 import { Requested, type JsonRecord } from "../requested";
 import { at } from "../workbench";
 
-/** The scores that are compared, by their keys in the catalogue. */
-const kScores = ["peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"];
+/** The values that are compared, by their keys in the catalogue. All of them except the value without load are
+ *  scores under load. */
+const kWithoutLoad = "peak_to_peak_without_load_arcsec";
+const kValues = ["peak_to_peak_arcsec", kWithoutLoad, "max_pressure_MPa", "face_load_factor", "edge_carries"];
 
 export class Proposals extends Requested {
   constructor() {
@@ -24,22 +26,22 @@ export class Proposals extends Requested {
   }
 
   private list(proposals: JsonRecord[], best: number): HTMLTableElement {
-    const score = (key: string) => quantity("load.torques", key)!;
-    const heads = kScores.map((key) => h("th", {}, score(key).words, " ", shownUnit(score(key))));
+    const info = (key: string) => quantity(key === kWithoutLoad ? "propose.proposals" : "load.torques", key)!;
+    const heads = kValues.map((key) => h("th", {}, info(key).words, " ", shownUnit(info(key))));
     return tableOf(
       "numbers",
       [h("th", {}, ""), h("th", {}, "modifications"), ...heads, h("th", {}, "")],
       ...proposals.map((proposal, i) => {
         const same = sameAs(proposals, i);
         if (same[0] !== i) return null;
-        const worst = proposal["worst"] as JsonRecord;
+        const values = { ...(proposal["worst"] as JsonRecord), [kWithoutLoad]: proposal[kWithoutLoad]! };
         const take = this.takeButton(proposal["spec"]!, `proposal ${i + 1}`, `take proposal ${i + 1}`);
         return h(
           "tr",
           { class: i + 1 === best ? "taken" : null, "data-proposal": i + 1 },
           h("th", {}, String(i + 1)),
           h("td", {}, wordsOf(proposal), alsoOf(proposals, same), i + 1 === best && h("strong", {}, " recommended")),
-          ...kScores.map((key) => h("td", { "data-score": key }, textOf(score(key), worst[key]))),
+          ...kValues.map((key) => h("td", { "data-score": key }, textOf(info(key), values[key]))),
           h("td", {}, i > 0 && take),
         );
       }),
