@@ -87,7 +87,11 @@ constexpr auto kRows = std::to_array<Row>({
      "is not a key; give normal_diametral_pitch_per_in (the transverse diametral pitch divided by "
      "cos β) or transverse_module_mm (25.4 divided by the transverse diametral pitch)"},
     {"*.torque_output_Nm", "", kOutputTorque},
-    {"*.output_torque_Nm", "", kOutputTorque},
+    {"pair.output_torque_Nm", "", kOutputTorque},
+    {"planetary.output_torque_Nm", "", kOutputTorque},
+    {"stage[#].output_torque_Nm", "", kOutputTorque},
+    {"drive.output_torque_Nm", "", kOutputTorque},
+    {"search.output_torque_Nm", "", kOutputTorque},
     {"*.torque_out_Nm", "", kOutputTorque},
     {"*.power_hp", "", kHorsepower},
     {"*.hp", "", kHorsepower},

@@ -64,15 +64,14 @@ std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
   return scores;
 }
 
-// Computes the effects of the modifications of a task in the same way as the verb `load`. Warnings
-// about the result are added to `warnings`.
-std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
+// Computes the effects of the modifications of a job in the same way as the verbs `load` and
+// `contact`. `task` is the task of the job. Warnings about the result are added to the job.
+std::optional<Error> find_effects(Proposal& p, SolvedJob& job, const LoadTask& task,
                                   const PairCompliance& compliance,
-                                  const std::optional<double>& helix_deviation,
-                                  std::vector<Warning>& warnings) {
+                                  const std::optional<double>& helix_deviation) {
   const LoadedContact contact =
       loaded_contact(task.pair(), task.setup.gear(1), task.setup.gear(2), compliance, task.request);
-  if (auto error = judge_load(task, contact, warnings)) return error;
+  if (auto error = judge_load(task, contact, job.warnings)) return error;
   const auto scores = scores_of(contact);
   for (std::size_t i = 0; i < scores.size(); ++i)
     p.loads.push_back({task.request.torques[i], scores[i]});
@@ -80,7 +79,7 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   const auto most = std::max_element(
       contact.torques.begin(), contact.torques.end(),
       [](const LoadedTorque& x, const LoadedTorque& y) { return x.torque < y.torque; });
-  p.without_load = continuous_span(task.pair(), kLeastSpanPositions);
+  p.without_load = continuous_span(task.pair(), job.spec.contact.positions);
   for (const LoadedPosition& at : most->positions)
     p.transmission_error.push_back({at.rotation1.deg(), at.te.arcsec()});
   if (!helix_deviation) return std::nullopt;
@@ -317,7 +316,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   if (task.request.deflects()) a.deflection = face_deflection(task, *compliance, a.torque);
   task.request.progress = nullptr;  // null, because the progress counts proposals
   Proposal first;
-  if (auto error = find_effects(first, task, *compliance, grades.helix, jobs.front().warnings))
+  if (auto error = find_effects(first, jobs.front(), task, *compliance, grades.helix))
     return *error;
   a.proposals.push_back(std::move(first));
   a.specs.push_back(tree);
@@ -358,7 +357,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     if (own) {
       jobs.push_back(std::move(own).take());
       const auto its = quick_task(jobs.back());
-      error = its ? find_effects(p, *its, *compliance, grades.helix, jobs.back().warnings)
+      error = its ? find_effects(p, jobs.back(), *its, *compliance, grades.helix)
                   : std::optional<Error>(its.error());
       if (error) jobs.pop_back();
     } else {

@@ -122,11 +122,11 @@ TEST(Report, LoadComesBeforeTheContactWithoutLoad) {
   const testing::ContactSample contact = testing::helical_contact();
   ReportInput input = report_input(*load.pair);
   input.contact = &contact.report;
-  EXPECT_NE(report_html(input).find("<h2>Tooth contact</h2>"), std::string::npos);
+  EXPECT_NE(report_html(input).find(">Tooth contact</h2>"), std::string::npos);
   input.load = &load.report;
   const std::string page = report_html(input);
-  const std::size_t first = page.find("<h2>Under load</h2>");
-  const std::size_t second = page.find("<h2>Tooth contact without load</h2>");
+  const std::size_t first = page.find(">Under load</h2>");
+  const std::size_t second = page.find(">Tooth contact without load</h2>");
   ASSERT_NE(second, page.npos);
   EXPECT_LT(first, second);
 }

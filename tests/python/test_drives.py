@@ -89,7 +89,7 @@ def test_every_speed_has_an_input():
 
 
 def test_spec_files_keep_their_folder(tmp_path):
-    (tmp_path / "flank.csv").write_text("diameter_mm,z_mm,removed_um\n42,-10,1\n42,10,1\n44,-10,1\n44,10,1\n")
+    (tmp_path / "flank.csv").write_text("diameter_mm,z_mm,removed_um\n39.5,-10,1\n39.5,10,1\n46,-10,1\n46,10,1\n")
     gear = {"normal_module_mm": 2, "face_width_mm": 20}
     stage = {"gears": [{"teeth": 21, "modifications": {"topography": "flank.csv"}, **gear}, {"teeth": 43, **gear}]}
     path = tmp_path / "stage.json"
