@@ -8,6 +8,8 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/center_search.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/possible_bounds.hpp"
+#include "gearwright/contact/worst_estimate.hpp"
 #include "gearwright/math/decompositions.hpp"
 #include "gearwright/math/minimise.hpp"
 
@@ -19,6 +21,9 @@ namespace {
 // is a hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
+// A descent with derivatives ends when the tangents promise a smaller gain, relative to the value.
+// It knows this gain before a trial, so it can end later than a search without derivatives.
+constexpr double kLastPromise = 1e-7;
 // This value, in rad, replaces f if contact is lost. It is far above all other values of f. The
 // optimiser requires finite values, so infinity is not used.
 constexpr double kLost = 1e3;
@@ -33,7 +38,7 @@ constexpr double kOverLimit = 100.0;
 // Evaluates the function that is minimised, which is the aim of the task, or f if there is no aim.
 class Judge {
  public:
-  using Model = std::function<double(const std::vector<double>&)>;
+  using Model = CompensationAim::Estimate;  // as a function of the corrections, not of a change
 
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -59,29 +64,36 @@ class Judge {
   bool has_near() const { return task_.aim && task_.aim->near; }
   // Returns an estimate of the aim around a center. The estimate is exact at the center.
   Model near(const std::vector<double>& center) {
-    std::vector<CompensationAim::Nearby> all;
-    for (int s = 0; s < task_.scenarios; ++s) {
-      const auto pair = task_.pair_at(center, s);
-      if (!pair) return [](const auto&) { return kInfinity; };
-      all.push_back(task_.aim->near(*pair, positions_));
-    }
-    return [this, center, all = std::move(all)](std::vector<double> v) {
+    // The estimate is finite even if teeth with these corrections do not exist. Whether they
+    // exist does not depend on the scenario, so only scenario 0 is checked.
+    const auto change = [this,
+                         center](std::vector<double> v) -> std::optional<std::vector<double>> {
       count_step(task_.progress);
-      // The estimate is finite even if teeth with these corrections do not exist. Whether they
-      // exist does not depend on the scenario, so only scenario 0 is checked.
-      if (!task_.pair_at(v, 0)) return kInfinity;
+      if (!task_.pair_at(v, 0)) return std::nullopt;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
-      double worst = 0.0;
-      for (const auto& of : all) worst = std::max(worst, of(v));
-      return worst;
+      return v;
     };
+    std::vector<Model> all;
+    for (int s = 0; s < task_.scenarios && task_.pair_at(center, 0); ++s)
+      all.push_back(task_.aim->near(center, s, positions_));
+    if (all.empty())
+      return {[](const auto&) { return kInfinity; }, [](const auto&) { return Tangents{}; }};
+    const Model worst = detail::worst_estimate(std::move(all));
+    return {[=](const std::vector<double>& v) {
+              const auto by = change(v);
+              return by ? worst.value(*by) : kInfinity;
+            },
+            [=](const std::vector<double>& v) {
+              const auto by = change(v);
+              return by ? worst.tangents(*by) : Tangents{};
+            }};
   }
   // After this call, value() evaluates `model`. If `model` is empty, value() is exact.
   void use(Model model) {
     model_ = std::move(model);
     known_.clear();
   }
-  bool uses_model() const { return static_cast<bool>(model_); }
+  const Model& model() const { return model_; }
 
   // value() stores results, because descents from several starts evaluate the same corrections.
   double value(const std::vector<double>& v) {
@@ -101,7 +113,7 @@ class Judge {
 
  private:
   double computed(const std::vector<double>& v) {
-    if (model_) return model_(v);
+    if (model_.value) return model_.value(v);
     if (task_.aim) return aimed(v);
     const auto all = curves(v);
     if (all.empty()) return kInfinity;
@@ -115,10 +127,8 @@ class Judge {
   double aimed(const std::vector<double>& v) {
     count_step(task_.progress);
     double worst = 0.0;
-    for (int s = 0; s < task_.scenarios; ++s) {
-      const auto pair = task_.pair_at(v, s);
-      worst = std::max(worst, pair ? task_.aim->of(*pair, positions_) : kInfinity);
-    }
+    for (int s = 0; s < task_.scenarios; ++s)
+      worst = std::max(worst, task_.aim->of(v, s, positions_));
     return worst;
   }
 
@@ -188,7 +198,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
                        }};
   // A search of the whole box by a model must not end early, because a narrow optimum may lie at
   // the border of the box.
-  if (how == Minimiser::whole_box && judge.uses_model()) search.relative_gain = search.gain = 0.0;
+  if (how == Minimiser::whole_box && judge.model().value) search.relative_gain = search.gain = 0.0;
   for (const Correction& c : box) {
     search.lo.push_back(c.lo);
     search.hi.push_back(c.hi);
@@ -197,6 +207,9 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
+// The part of the bounds within which the result of a search by models is improved with more
+// positions.
+constexpr double kFineReach = 0.03;
 // Rounding a value, or setting a value to 0, may lose at most this fraction of the gain.
 constexpr double kPartLost = 0.01;
 
@@ -216,6 +229,17 @@ struct Best {
   }
 };
 
+// Descends on the model of the judge from `start` within the box.
+std::vector<double> descended(const std::vector<Correction>& box, const Judge& judge, double radius,
+                              const std::vector<double>& start) {
+  MinimaxTask task{.radius = radius, .relative_gain = kLastPromise, .f = judge.model().tangents};
+  for (const Correction& c : box) {
+    task.lo.push_back(c.lo);
+    task.hi.push_back(c.hi);
+  }
+  return minimax_descent(task, start);
+}
+
 // Searches the whole box, descends from several starts, and returns the best corrections.
 std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -229,15 +253,16 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
-  // A model is faster than a TE curve, so the search of the whole box may use twice as many trials.
-  const int of_box = judge.uses_model() ? 2 * budget : budget;
-  starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, of_box, 1.0, zero));
+  starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, budget, 1.0, zero));
   for (std::vector<double>& start : starts) {
     for (std::size_t k = 0; k < start.size(); ++k)
       start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
     best.take(start);
-    best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, 1.0, start));
+    best.take(judge.model().tangents
+                  ? descended(task.corrections, judge, 0.25, start)
+                  : optimise(task.corrections, judge, Minimiser::downhill, budget, 1.0, start));
   }
+  if (judge.model().tangents) return best.v;
   // A search may have stopped at a crease of f, so the search is repeated with smaller steps.
   for (const double step : {1.0, 0.1, 0.01})
     best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, step, best.v));
@@ -249,19 +274,17 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
 // estimate, or if the aim without corrections is not finite, searched() is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
-  if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
+  if (!judge.has_near()) return searched(task, judge);
+  const Judge::Model first = judge.near(zero);
+  if (!std::isfinite(first.value(zero))) return searched(task, judge);
   const auto found = detail::lowest_by_models(
-      zero, judge.same(), [&](const std::vector<double>& at) { return judge.near(at); },
-      [](const Judge::Model& model, const std::vector<double>& v) { return model(v); },
+      zero, judge.same(),
+      [&](const std::vector<double>& at) { return at == zero ? first : judge.near(at); },
+      [](const Judge::Model& model, const std::vector<double>& v) { return model.value(v); },
       [&](const Judge::Model& model, const std::vector<double>& at, double reach) {
         judge.use(model);
         if (reach == 1.0) return searched(task, judge);
-        const auto box = detail::around(task.corrections, reach, at);
-        Best best(judge, at);
-        for (const double step : {1.0, 0.1, 0.01})
-          best.take(optimise(box, judge, Minimiser::downhill, task.curves,
-                             step * reach / detail::kNextReach, best.v));
-        return best.v;
+        return descended(detail::around(task.corrections, reach, at), judge, 0.5, at);
       });
   judge.use({});
   return found;
@@ -269,9 +292,9 @@ std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) 
 
 // Returns the final corrections. They are computed with as many positions as the reported scores,
 // because a peak of TE may lie between the positions of the coarser search.
-std::vector<double> settled(const CompensationTask& task, Judge& fine,
-                            const std::vector<double>& found) {
+std::vector<double> settled(const CompensationTask& task, Judge& fine, std::vector<double> found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
+  if (fine.has_near()) found = as_written(task.corrections, found, 1e4);
   Best best(fine, zero);
   const double none = best.least;
   if (found != zero) {
@@ -279,8 +302,11 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
     best.take(found);
     const int most = 60 * static_cast<int>(found.size());
     const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
-    for (const double step : {0.3, 0.03})
-      best.take(optimise(task.corrections, fine, Minimiser::downhill, budget, step, best.v));
+    if (fine.has_near())
+      best.take(descended(detail::around(task.corrections, kFineReach, found), fine, 0.5, found));
+    else
+      for (const double step : {0.3, 0.03})
+        best.take(optimise(task.corrections, fine, Minimiser::downhill, budget, step, best.v));
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
@@ -299,14 +325,15 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
     best.v = drawn.v;
     break;
   }
-  fine.use({});
   if (!fine.has_near()) return best.v;
-  // The last steps used estimates. The final choice compares the exact values of three cases: the
-  // result of the last steps, the result of the search, and no corrections.
-  const std::vector<double> written = as_written(task.corrections, found, 1e4);
-  const double refined = fine.value(best.v), searched = fine.value(written);
+  // The last steps used estimates, which are exact for the result of the search only. The final
+  // choice compares the exact values of three cases: the result of the last steps, the result of
+  // the search, and no corrections.
+  const double searched = fine.value(found);
+  fine.use({});
+  const double refined = fine.value(best.v);
   if (!(std::min(refined, searched) < none - same)) return zero;
-  return searched < refined - same ? written : best.v;
+  return searched < refined - same ? found : best.v;
 }
 
 // Returns `found` without the corrections that are not needed. Beginning with the last one, the
@@ -350,31 +377,6 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
-// If no teeth exist with one correction at its bound and all others at 0, the function moves this
-// bound towards 0. A bound that would become 0 stays unchanged. Without this function, most trials
-// of the search would have no teeth.
-CompensationTask within_teeth(CompensationTask task) {
-  constexpr int kHalvings = 12;
-  for (std::size_t k = 0; k < task.corrections.size(); ++k) {
-    for (double Correction::*end : {&Correction::lo, &Correction::hi}) {
-      const auto possible = [&](double x) {
-        std::vector<double> v(task.corrections.size(), 0.0);
-        v[k] = x;
-        return task.pair_at(v, 0) != nullptr;
-      };
-      double& bound = task.corrections[k].*end;
-      if (possible(bound)) continue;
-      double reached = 0.0, beyond = bound;
-      for (int i = 0; i < kHalvings; ++i) {
-        const double middle = (reached + beyond) / 2;
-        (possible(middle) ? reached : beyond) = middle;
-      }
-      if (reached != 0.0) bound = reached;
-    }
-  }
-  return task;
-}
-
 }  // namespace
 
 bool Compensation::nothing_to_correct() const {
@@ -407,7 +409,7 @@ Compensation compensate(const CompensationTask& given) {
   GW_EXPECTS(given.positions >= 2 && given.fine_positions >= 2);
   for (const Correction& c : given.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
-  const CompensationTask task = within_teeth(given);
+  const CompensationTask task = detail::within_teeth(given);
   const std::vector<double> zero(task.corrections.size(), 0.0);
   // The usual number of evaluations in one search of the box and a descent from every start. Most
   // descents end early.

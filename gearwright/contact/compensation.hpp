@@ -14,9 +14,10 @@
 // the small default of w, corrections that increase the transmission error are rejected.
 //
 // f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a method
-// without derivatives (subplex). This search has four kinds of start: zero, the least-squares
-// solution of the linearised problem, starting values that the caller gives, and the best point
-// found in the whole box of bounds.
+// without derivatives (subplex), or for an aim with an estimate a method that linearises each of
+// the maxima separately (math/minimax.hpp). The search has four kinds of start: zero, the
+// least-squares solution of the linearised problem, starting values that the caller gives, and the
+// best point found in the whole box of bounds.
 #pragma once
 
 #include <array>
@@ -27,6 +28,7 @@
 
 #include "gearwright/base/progress.hpp"
 #include "gearwright/contact/contact_score.hpp"
+#include "gearwright/math/minimax.hpp"
 
 namespace gearwright {
 
@@ -39,15 +41,21 @@ struct Correction {
 };
 
 /// A quantity that is minimised instead of the transmission error of rigid teeth. If a task has
-/// such an aim, the position of the pattern is ignored.
+/// such an aim, the position of the pattern is ignored. The arguments of `of` and `near` are the
+/// corrections, the index of the scenario and the number of positions per pitch.
 struct CompensationAim {
-  /// Returns the quantity of a pair, in any unit. The second argument is the number of positions
-  /// per pitch. Infinity marks the worst possible pair.
-  std::function<double(const ContactPair&, int)> of;
-  /// Returns a function that estimates the quantity of the pair after its corrections have changed
-  /// by `change`. The estimate is exact if `change` is 0. `near` is empty if there is no estimate.
-  using Nearby = std::function<double(const std::vector<double>& change)>;
-  std::function<Nearby(const ContactPair&, int)> near{};
+  /// Returns the quantity, in any unit. Infinity marks the worst possible pair, or no pair.
+  std::function<double(const std::vector<double>&, int, int)> of;
+  /// An estimate of the quantity after the corrections have changed by `change`. It is exact if
+  /// `change` is 0.
+  struct Estimate {
+    std::function<double(const std::vector<double>& change)> value;
+    /// The tangents of a function of `change` that increases with `value`.
+    std::function<Tangents(const std::vector<double>& change)> tangents;
+  };
+  /// Returns the estimate around the corrections, for which the pair exists. `near` is empty if
+  /// there is no estimate.
+  std::function<Estimate(const std::vector<double>&, int, int)> near{};
   /// The smallest improvement that justifies a correction, in the unit of the quantity, > 0.
   double same = 0.0;
 };

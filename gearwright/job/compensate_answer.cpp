@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -148,16 +150,14 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
 
 // Returns, for each torque, the worst score over all scenarios, without and with the corrections.
 // The scores are computed at the positions of the report.
-std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
-                                   const std::vector<double>& found) {
+std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const LoadedAim::Scores& scores_of,
+                                   const CompensationTask& task, const std::vector<double>& found) {
   std::vector<AimedLoad> loads;
   for (const double torque : load.torques()) loads.push_back({torque, {}, {}});
   const std::vector<double> zero(found.size(), 0.0);
   for (int s = 0; s < task.scenarios; ++s) {
     for (const bool after : {false, true}) {
-      const auto pair = task.pair_at(after ? found : zero, s);
-      if (!pair) continue;
-      const auto scores = load.scores(*pair, task.fine_positions);
+      const auto scores = scores_of(after ? found : zero, s, task.fine_positions);
       for (std::size_t i = 0; i < loads.size(); ++i) {
         LoadedScore& worst = after ? loads[i].after : loads[i].before;
         worst = worse_of(worst, i < scores.size() ? scores[i] : no_score());
@@ -260,11 +260,13 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   task.fine_positions = job.spec.contact.positions;
   answer.aim = input.aim;
   std::optional<LoadedAim> load;
+  LoadedAim::Scores scores;
   if (with_load) {
     auto aimed = LoadedAim::of(job, progress);
     if (!aimed) return aimed.error();
     load = std::move(aimed).take();
-    task.aim = load->aim(*corrections);
+    scores = load->scores_of(task);
+    task.aim = load->aim(task, scores, *corrections);
     task.fine_positions = load->positions();
     task.positions = std::min(kLoadPositions, task.fine_positions);
     task.curves = std::min(curves, kLoadCurves);
@@ -286,7 +288,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   answer.after = result.after;
   answer.nothing_to_correct = result.nothing_to_correct();
   answer.centering = result.centering;
-  if (load) answer.loads = aimed_loads(*load, task, result.value);
+  if (load) answer.loads = aimed_loads(*load, scores, task, result.value);
   warn_of_positions(job, answer);
   for (std::size_t k = 0; k < corrections->size(); ++k) {
     const WorkshopCorrection& c = (*corrections)[k];
@@ -341,12 +343,25 @@ std::vector<LoadedScore> LoadedAim::scores(const ContactPair& pair, int position
       loaded_contact(pair, task.setup.gear(1), task.setup.gear(2), held_->compliance, request));
 }
 
-CompensationAim LoadedAim::aim(const std::vector<WorkshopCorrection>& corrections) const {
+LoadedAim::Scores LoadedAim::scores_of(const CompensationTask& task) const {
+  using Key = std::tuple<std::vector<double>, int, int>;
+  const auto known = std::make_shared<std::map<Key, std::vector<LoadedScore>>>();
+  return [self = *this, pair_at = task.pair_at, known](const std::vector<double>& v, int scenario,
+                                                       int positions) {
+    const auto [at, is_new] = known->try_emplace({v, scenario, positions});
+    if (const auto pair = is_new ? pair_at(v, scenario) : nullptr)
+      at->second = self.scores(*pair, positions);
+    return at->second;
+  };
+}
+
+CompensationAim LoadedAim::aim(const CompensationTask& task, const Scores& scores_of,
+                               const std::vector<WorkshopCorrection>& corrections) const {
   const bool pressure = held_->aim == CompensateAim::pressure;
   CompensationAim aim;
   aim.same = pressure ? kSamePressure : kSameError.rad();
-  aim.of = [self = *this, pressure](const ContactPair& pair, int positions) {
-    const auto scores = self.scores(pair, positions);
+  aim.of = [scores_of, pressure](const std::vector<double>& v, int scenario, int positions) {
+    const auto scores = scores_of(v, scenario, positions);
     if (scores.empty()) return kInfinity;
     double worst = 0.0;
     for (const LoadedScore& s : scores)
@@ -355,17 +370,36 @@ CompensationAim LoadedAim::aim(const std::vector<WorkshopCorrection>& correction
   };
   const auto influences = influences_of(corrections);
   if (!influences || held_->task.request.regime == LoadRegime::point) return aim;
-  aim.near = [self = *this, pressure, influences](const ContactPair& pair, int positions) {
-    const LoadTask& task = self.held_->task;
-    LoadRequest request = task.request;
+  aim.near = [self = *this, pair_at = task.pair_at, pressure, influences](
+                 const std::vector<double>& v, int scenario, int positions) {
+    const LoadTask& loaded = self.held_->task;
+    LoadRequest request = loaded.request;
     request.positions = positions;
     const auto load = std::make_shared<const NearbyLoad>(
-        pair, task.setup.gear(1), task.setup.gear(2), self.held_->compliance, request, *influences);
-    return [load, pressure](std::vector<double> change) {
+        *pair_at(v, scenario), loaded.setup.gear(1), loaded.setup.gear(2), self.held_->compliance,
+        request, *influences);
+    const auto in_mm = [](std::vector<double> change) {
       for (double& um : change) um *= kMmPerUm;
-      const NearbyLoad::Span span = load->span(change, false);
+      return change;
+    };
+    const auto value = [load, pressure, in_mm](const std::vector<double>& change) {
+      const NearbyLoad::Span span = load->span(in_mm(change), false);
       return !span.value ? kInfinity : pressure ? span.max_pressure : *span.value;
     };
+    const auto tangents = [load, pressure, in_mm](const std::vector<double>& change) {
+      auto made = load->tangents(in_mm(change));
+      if (!made) return Tangents{};
+      const GreatestTangent greatest = [pressure,
+                                        of = *std::move(made)](const Eigen::VectorXd& um) {
+        const Eigen::VectorXd step = um * kMmPerUm;
+        Tangent t = pressure ? of.pressure_squared(step) : of.span(step);
+        t.slope *= kMmPerUm;
+        return t;
+      };
+      const auto n = static_cast<Eigen::Index>(change.size());
+      return Tangents{greatest(Eigen::VectorXd::Zero(n)).value, greatest};
+    };
+    return CompensationAim::Estimate{value, tangents};
   };
   return aim;
 }

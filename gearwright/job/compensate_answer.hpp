@@ -7,6 +7,7 @@
 // errors.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,10 +55,17 @@ class LoadedAim {
   ///           slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
+  /// Returns the score for each torque of the pair of a task with these corrections, under the
+  /// scenario with this index. The list is empty if there is no pair.
+  using Scores = std::function<std::vector<LoadedScore>(const std::vector<double>&, int, int)>;
+  /// Returns a function that computes scores and stores them. The last argument of this function is
+  /// the number of positions per pitch.
+  Scores scores_of(const CompensationTask& task) const;
   /// Returns the quantity to minimise. It is the peak-to-peak transmission error in rad, or the
-  /// pressure in MPa, under the torque for which it is greatest. If `corrections` modify a gear,
-  /// this gear must have a field of removed material.
-  CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
+  /// pressure in MPa, under the torque for which it is greatest. `scores` are those of the task. If
+  /// `corrections` modify a gear, this gear must have a field of removed material.
+  CompensationAim aim(const CompensationTask& task, const Scores& scores,
+                      const std::vector<WorkshopCorrection>& corrections) const;
   /// Returns the score for each torque. `positions` is the number of positions per pitch. See
   /// loaded_scores() for the cases in which a score is NaN.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;

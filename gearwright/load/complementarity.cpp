@@ -27,6 +27,36 @@ constexpr double kOverlap = 1e-12;
 // Least load p for which ln(a0/a) is computed, relative to the mean load.
 constexpr double kLeastLoad = 1e-9;
 
+// The equations a p − arm Θ = right of the loaded places. The local term λ ln(a0/a) p is linearised
+// about the last p. The constant part is λ p/2, so `a` is the derivative of w by p.
+struct LoadedPlaces {
+  MatrixXd a;
+  VectorXd right, arm;
+};
+
+LoadedPlaces equations(const ContactProblem& q, const VectorXd& load, const std::vector<Index>& at,
+                       double mean) {
+  const auto m = static_cast<Index>(at.size());
+  LoadedPlaces e{MatrixXd(m, m), VectorXd(m), VectorXd(m)};
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < m; ++i) e.a(i, j) = (*q.yield)(at[i], at[j]);
+  for (Index i = 0; i < m; ++i) {
+    const Index k = at[i];
+    const double p = std::max(load[k], kLeastLoad * mean);
+    if (q.local > 0.0) {
+      const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
+      e.a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
+      e.right[i] = -q.gap[k] - 0.5 * q.local * p;
+    } else {
+      e.right[i] = -q.gap[k];
+    }
+    e.arm[i] = q.arm[k];
+  }
+  return e;
+}
+
+double mean_load(const ContactProblem& q) { return q.moment / (q.length * q.arm.sum()); }
+
 }  // namespace
 
 double hertz_half_width(double line_load, double radius, double reduced_modulus) {
@@ -36,7 +66,7 @@ double hertz_half_width(double line_load, double radius, double reduced_modulus)
 ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
   const Index n = q.gap.size();
   GW_EXPECTS(n > 0 && q.moment > 0.0 && (start.size() == 0 || start.size() == n));
-  const double mean = q.moment / (q.length * q.arm.sum());
+  const double mean = mean_load(q);
   ContactSolution x;
   const bool given = start.size() == n && start.maxCoeff() > 0.0;
   x.line_load = given ? start : VectorXd::Constant(n, mean);
@@ -48,24 +78,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     for (Index i = 0; i < n; ++i)
       if (active[i]) at.push_back(i);
     const auto m = static_cast<Index>(at.size());
-    MatrixXd a(m, m);
-    VectorXd right(m);
-    VectorXd arm(m);
-    for (Index j = 0; j < m; ++j)
-      for (Index i = 0; i < m; ++i) a(i, j) = (*q.yield)(at[i], at[j]);
-    for (Index i = 0; i < m; ++i) {
-      const Index k = at[i];
-      const double p = std::max(x.line_load[k], kLeastLoad * mean);
-      // The local term λ ln(a0/a) p is linearised about the last p. The constant part is λ p/2.
-      if (q.local > 0.0) {
-        const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
-        a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
-        right[i] = -q.gap[k] - 0.5 * q.local * p;
-      } else {
-        right[i] = -q.gap[k];
-      }
-      arm[i] = q.arm[k];
-    }
+    const auto [a, right, arm] = equations(q, x.line_load, at, mean);
     if (!a.allFinite()) return x;  // LLT does not detect infinity or NaN
     const Eigen::LLT<MatrixXd> llt(a);
     if (llt.info() != Eigen::Success) {
@@ -121,6 +134,21 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     }
   }
   return x;
+}
+
+// If the gaps change by g', the loads of the loaded places change by p' = a⁻¹ (arm Θ' − g'). [T12.20a]
+MatrixXd load_slopes(const ContactProblem& q, const ContactSolution& x,
+                     const MatrixXd& gap_slopes) {
+  GW_EXPECTS(x.found() && gap_slopes.rows() == q.gap.size());
+  std::vector<Index> at;
+  for (Index i = 0; i < q.gap.size(); ++i)
+    if (x.line_load[i] > 0.0) at.push_back(i);
+  const LoadedPlaces e = equations(q, x.line_load, at, mean_load(q));
+  const Eigen::RowVectorXd turn = x.approach_per_gap.transpose() * gap_slopes;
+  MatrixXd slopes = MatrixXd::Zero(gap_slopes.rows(), gap_slopes.cols());
+  const MatrixXd right = e.arm * turn - gap_slopes(at, Eigen::all);
+  slopes(at, Eigen::all) = MatrixXd(Eigen::LLT<MatrixXd>(e.a).solve(right));
+  return slopes;
 }
 
 }  // namespace gearwright

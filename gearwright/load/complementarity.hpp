@@ -59,6 +59,15 @@ struct ContactSolution {
 /// Domain    at least one place; moment > 0; one start load ≥ 0 for each place (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});
 
+/// Returns ∂p/∂e, a row for each place and a column for each variable e, if the gaps have the
+/// derivatives ∂g/∂e = `gap_slopes`. The places with load keep their load or lose a part of it, and
+/// no other place receives load.
+///
+/// Domain    a solution of the problem that was found; a row of `gap_slopes` for each place
+///           (contract)
+Eigen::MatrixXd load_slopes(const ContactProblem& problem, const ContactSolution& solution,
+                            const Eigen::MatrixXd& gap_slopes);
+
 /// Returns the half width of a Hertz strip, mm. [T12.12]
 double hertz_half_width(double line_load, double radius, double reduced_modulus);
 

@@ -158,5 +158,33 @@ TEST(Complementarity, TheSlopeByAGapIsThatOfADifference) {
   }
 }
 
+// The derivatives of the loads agree with central differences, with and without the local term.
+TEST(Complementarity, LoadSlopesAreThoseOfDifferences) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+    for (const double local : {0.0, 4e-7}) {
+      ContactProblem q = random_problem(seed, 9);
+      q.local = local;
+      q.reduced_modulus = 1e5;
+      q.half_width = 20.0;
+      q.moment = 2e6;  // loads most of the places
+      const ContactSolution x = solve_contact(q);
+      ASSERT_TRUE(x.found());
+      ASSERT_GT((x.line_load.array() > 0.0).count(), 3);
+      const MatrixXd gap_slopes = MatrixXd::Identity(9, 9);
+      const MatrixXd slopes = load_slopes(q, x, gap_slopes);
+      const double greatest = slopes.cwiseAbs().maxCoeff();
+      for (Eigen::Index k = 0; k < 9; ++k) {
+        constexpr double kStep = 1e-7;  // mm
+        ContactProblem above = q, below = q;
+        above.gap[k] += kStep;
+        below.gap[k] -= kStep;
+        const VectorXd difference =
+            (solve_contact(above).line_load - solve_contact(below).line_load) / (2 * kStep);
+        EXPECT_LT((slopes.col(k) - difference).cwiseAbs().maxCoeff(), 1e-5 * greatest) << seed;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

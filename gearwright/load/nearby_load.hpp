@@ -11,6 +11,7 @@
 // TE of a double-helical pair is the mean of both halves [T12.26].
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,8 +19,31 @@
 #include "gearwright/contact/sensitivity.hpp"
 #include "gearwright/load/complementarity.hpp"
 #include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/math/minimax.hpp"
 
 namespace gearwright {
+
+/// The loaded contact near a change of the influences, to first order in a further step. Places
+/// without load stay without load.
+class LoadTangents {
+ public:
+  /// Returns the peak to peak of the loaded TE after `step`, rad, under the torque for which it is
+  /// greatest.
+  Tangent span(const Eigen::VectorXd& step) const;
+  /// Returns the square of the greatest pressure after `step`, MPa². The load of a place, and
+  /// therefore the square of its pressure, is linear in the step.
+  Tangent pressure_squared(const Eigen::VectorXd& step) const;
+
+ private:
+  friend class NearbyLoad;
+  struct Position {
+    double te;
+    Eigen::VectorXd te_slope;
+    Eigen::VectorXd square;  // MPa², for each place
+    Eigen::MatrixXd square_slope;
+  };
+  std::vector<std::vector<Position>> at_;  // [torque][position]
+};
 
 class NearbyLoad {
  public:
@@ -49,7 +73,12 @@ class NearbyLoad {
   Span span(std::span<const double> change, bool slopes) const {
     return span({this, 1}, change, slopes);
   }
-  /// Returns the same values as the function above, for the mean TE of both halves of a
+  /// Returns the tangents of the results after `change`, or none if a position has no solution.
+  ///
+  /// Laws      (1) without a step, `span` and `pressure_squared` have the values of span()
+  ///           (2) their slopes are the derivatives of these values
+  std::optional<LoadTangents> tangents(std::span<const double> change) const;
+  /// Returns the same values as span() of one half, for the mean TE of both halves of a
   /// double-helical pair.
   ///
   /// Domain    one half or two, with the same numbers of positions and torques (contract)
@@ -57,7 +86,7 @@ class NearbyLoad {
 
  private:
   struct Position {
-    double te;                           // rad, TE without load at e = 0
+    double te = 0.0;                     // rad, TE without load at e = 0
     ContactProblem problem;              // at e = 0; its moment is set for each torque
     Eigen::MatrixXd turn;                // ∂T_i/∂e, a row per place, a column per influence
     std::vector<Eigen::VectorXd> start;  // loads at e = 0, one vector for each torque
@@ -67,6 +96,9 @@ class NearbyLoad {
     double pressure;  // MPa
     Eigen::VectorXd slope;
   };
+  // Returns the problem at one position under one torque.
+  ContactProblem problem(std::size_t position, std::size_t torque,
+                         std::span<const double> change) const;
   // Returns the result at one position under one torque, or none if the forces have no solution.
   std::optional<Loaded> loaded(std::size_t position, std::size_t torque,
                                std::span<const double> change, bool slopes) const;

@@ -136,6 +136,44 @@ TEST_F(NearbyLoads, SlopesAreThoseOfDifferences) {
   }
 }
 
+// Laws of tangents(), without and after a change. The square of the pressure is compared with that
+// of span(), whose pressure is not differentiated.
+TEST_F(NearbyLoads, TangentsAreThoseOfDifferences) {
+  constexpr double kStep = 1e-6;  // mm
+  for (const Teeth& t : all()) {
+    const NearbyLoad near = nearby(t, t.setup);
+    for (const double um : {0.0, 1.5}) {
+      const std::vector<double> change(kAll.size(), um * kMmPerUm);
+      const auto tangents = near.tangents(change);
+      ASSERT_TRUE(tangents);
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(kAll.size()));
+      const Tangent span = tangents->span(none), square = tangents->pressure_squared(none);
+      const NearbyLoad::Span here = near.span(change, false);
+      EXPECT_NEAR(span.value, *here.value, 1e-12 * span.value);
+      EXPECT_NEAR(square.value, here.max_pressure * here.max_pressure, 1e-12 * square.value);
+      for (std::size_t i = 0; i < kAll.size(); ++i) {
+        std::vector<double> above = change, below = change;
+        above[i] += kStep;
+        below[i] -= kStep;
+        const NearbyLoad::Span hi = near.span(above, false), lo = near.span(below, false);
+        const auto k = static_cast<Eigen::Index>(i);
+        EXPECT_NEAR(span.slope[k], (*hi.value - *lo.value) / (2 * kStep),
+                    1e-5 * span.slope.cwiseAbs().maxCoeff())
+            << t.name << ", correction " << i;
+        EXPECT_NEAR(
+            square.slope[k],
+            (hi.max_pressure * hi.max_pressure - lo.max_pressure * lo.max_pressure) / (2 * kStep),
+            1e-5 * square.slope.cwiseAbs().maxCoeff())
+            << t.name << ", correction " << i;
+        // After a small step, the tangents have the value of the changed contact.
+        Eigen::VectorXd step = none;
+        step[k] = kStep;
+        EXPECT_NEAR(tangents->span(step).value, *hi.value, 1e-7 * span.value);
+      }
+    }
+  }
+}
+
 // The places of least gap move, but compliance and curvature keep their values for e = 0.
 TEST_F(NearbyLoads, AChangeIsThatOfLoadedContactToAFewPercent) {
   const std::vector<double> um{2, 3, -2, 1.5, 4, -3};
