@@ -190,6 +190,18 @@ function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
   return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(make(gear)));
 }
 
+/** Returns poses of the gears at `n` positions, and their contact, during one pitch of gear 1, from −½ to ½. */
+function motionOf(s: E.Session, n: number): Motion {
+  const { pitchDeg } = s;
+  const curve = s.hasPair ? s.contactCurve(n - 1) : null;
+  const places = eachGear(s, (gear) => {
+    const all = new Float64Array(16 * n);
+    for (let i = 0; i < n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (n - 1) - 0.5))), 16 * i);
+    return all;
+  });
+  return { pitchDeg, n, places, curve: failed(curve) ? null : curve };
+}
+
 const questions = {
   catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
   solve: (q: { text: string; known: Known }) => solve(q.text, q.known),
@@ -207,19 +219,12 @@ const questions = {
     }
     return solve(text, q.known);
   },
-  meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
-  /** Returns poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
-  motion(q: { text: string; n: number }): Motion {
+  /** Returns the figure of the mesh, and the motion of its gears at `positions` positions. */
+  mesh(q: { text: string; view: E.MeshView; positions: number }) {
     const s = session(q.text);
-    const { pitchDeg } = s;
-    const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
-    const places = eachGear(s, (gear) => {
-      const all = new Float64Array(16 * q.n);
-      for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
-      return all;
-    });
-    return { pitchDeg, n: q.n, places, curve: failed(curve) ? null : curve };
+    return { figure: good(s.meshFigure(q.view)), motion: q.positions ? motionOf(s, q.positions) : null };
   },
+  motion: (q: { text: string; n: number }) => motionOf(session(q.text), q.n),
   meshes(q: { text: string; tolerance: number }) {
     const s = session(q.text);
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
