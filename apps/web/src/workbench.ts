@@ -15,6 +15,8 @@ export const kMostCharacters = 1_000_000;
 const kOneStepMs = 900;
 /** While a value changes, words and numbers are renewed after this time, because nobody can read them faster, ms. */
 const kReadMs = 100;
+/** A value rests if it has not changed for this time, ms. */
+const kRestMs = 200;
 
 class Workbench {
   text = "";
@@ -45,6 +47,8 @@ class Workbench {
   private rows: { list: Row[]; number: number } = { list: [], number: 0 };
   private lastRead = 0; // ms, the time at which words and numbers were renewed last
   private rest = 0;
+  private lastSolved = 0; // ms, the time of the last result
+  private quick = false; // true if the last result followed another one within kRestMs
   private readonly listeners = new Map<string, Set<Listener>>();
 
   /** "solved" is for pictures. "read" is for words and numbers, and comes less often while a value changes. */
@@ -144,6 +148,16 @@ class Workbench {
     return this.design === design && this.good ? answer : null;
   }
 
+  /** True while a value changes continuously. */
+  get moving(): boolean {
+    return this.quick && performance.now() - this.lastSolved < kRestMs;
+  }
+  /** If a value changes continuously, waits until it rests. Returns false if the result is not the last one. */
+  async rested({ text }: Solved): Promise<boolean> {
+    if (this.moving) await new Promise((go) => setTimeout(go, kRestMs));
+    return this.good?.text === text;
+  }
+
   /** Solves the design on screen again, for example with rows in another unit. */
   again(): void {
     void this.solve();
@@ -177,7 +191,10 @@ class Workbench {
     this.solved = solved;
     if (solved.result) this.good = solved;
     else if (this.finder) this.good = null;
-    this.lastMs = performance.now() - begin;
+    const now = performance.now();
+    this.lastMs = now - begin;
+    this.quick = now - this.lastSolved < kRestMs;
+    this.lastSolved = now;
     this.unread = true;
     this.notify("solved");
     if (solved.rows) this.rows = { list: solved.rows, number: solved.number };
