@@ -48,7 +48,7 @@ class Workbench {
   private lastRead = 0; // ms, the time at which words and numbers were renewed last
   private rest = 0;
   private lastSolved = 0; // ms, the time of the last result
-  private quick = false; // true if the last result followed another one within kRestMs
+  private quick = false; // true if the last result followed another one within kRestMs, or a change followed it
   private readonly listeners = new Map<string, Set<Listener>>();
 
   /** "solved" is for pictures. "read" is for words and numbers, and comes less often while a value changes. */
@@ -193,7 +193,8 @@ class Workbench {
     else if (this.finder) this.good = null;
     const now = performance.now();
     this.lastMs = now - begin;
-    this.quick = now - this.lastSolved < kRestMs;
+    // If the page was busy with a picture, the next change has come in the meantime.
+    this.quick = this.edits.size > 0 || now - this.lastSolved < kRestMs;
     this.lastSolved = now;
     this.unread = true;
     this.notify("solved");
