@@ -16,12 +16,17 @@ export interface Solved {
   spec: { [key: string]: Json } | null; // the tree of the text; null if the text cannot be read
   /** null if there is a fault, or if the page already has the result with this number. */
   result: { [key: string]: Json } | null;
-  rows: E.Row[] | null; // the rows of the result; null in the same cases
+  rows: E.Row[] | null; // the rows of the result; null in the same cases, or if they were not requested
   number: number; // the number of the result; results with equal numbers are equal
   fault: Fault | null;
   gears: number;
   hasPair: boolean;
   milliseconds: number;
+}
+/** The numbers of the result and of the rows that the page has. `rows` is null if the page needs no rows now. */
+export interface Known {
+  result: number;
+  rows: number | null;
 }
 /** The tables of teeth under load, and the data for the page. */
 export type Loaded =
@@ -97,10 +102,9 @@ let printed: { text: string; unit: "mm" | "in"; number: number } = { text: "", u
 /** Returns the verb of the result that the page shows for a session. */
 const verbOf = (s: E.Session): E.Verb => (s.hasPair ? "pair" : s.gears ? "gear" : "drive");
 
-/** Solves a spec. `known` is the number of the result that the page has. If the new result is the
- *  same, it is not sent, because sending takes longer than solving. Most mounting errors do not
- *  change the result. */
-function solve(text: string, known: number): Solved {
+/** Solves a spec. What the page already has is not sent again, because sending takes longer than solving. Most
+ *  mounting errors do not change the result. */
+function solve(text: string, known: Known): Solved {
   const begin = performance.now();
   const solved: Solved = {
     text,
@@ -125,11 +129,9 @@ function solve(text: string, known: number): Solved {
     const verb = verbOf(s);
     const result = s.json(verb);
     const same = result === printed.text && unit === printed.unit;
-    if (!same || known !== printed.number) {
-      solved.result = good(JSON.parse(result));
-      solved.rows = good(s.rows(verb));
-    }
     if (!same) printed = { text: result, unit, number: printed.number + 1 };
+    if (known.result !== printed.number) solved.result = good(JSON.parse(result));
+    if (known.rows !== null && known.rows !== printed.number) solved.rows = good(s.rows(verb));
     solved.number = printed.number;
   } catch (reason) {
     if (!(reason instanceof Refused)) throw reason;
@@ -188,11 +190,27 @@ function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
   return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(make(gear)));
 }
 
+/** Returns poses of the gears at `n` positions, and their contact, during one pitch of gear 1, from −½ to ½. */
+function motionOf(s: E.Session, n: number): Motion {
+  const { pitchDeg } = s;
+  const curve = s.hasPair ? s.contactCurve(n - 1) : null;
+  const places = eachGear(s, (gear) => {
+    const all = new Float64Array(16 * n);
+    for (let i = 0; i < n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (n - 1) - 0.5))), 16 * i);
+    return all;
+  });
+  return { pitchDeg, n, places, curve: failed(curve) ? null : curve };
+}
+
 const questions = {
   catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
-  solve: (q: { text: string; known: number }) => solve(q.text, q.known),
+  solve: (q: { text: string; known: Known }) => solve(q.text, q.known),
+  rows(q: { text: string }) {
+    const s = session(q.text);
+    return good(s.rows(verbOf(s)));
+  },
   /** Sets keys in the text and solves the new text. */
-  edit(q: { text: string; edits: Edit[]; known: number }): Solved | { refused: Fault } {
+  edit(q: { text: string; edits: Edit[]; known: Known }): Solved | { refused: Fault } {
     let text = isJson(q.text) ? good(engine.toToml(q.text)) : q.text;
     for (const [key, value] of q.edits) {
       const next = engine.edit(text, key, value);
@@ -201,19 +219,12 @@ const questions = {
     }
     return solve(text, q.known);
   },
-  meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
-  /** Returns poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
-  motion(q: { text: string; n: number }): Motion {
+  /** Returns the figure of the mesh, and the motion of its gears at `positions` positions. */
+  mesh(q: { text: string; view: E.MeshView; positions: number }) {
     const s = session(q.text);
-    const { pitchDeg } = s;
-    const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
-    const places = eachGear(s, (gear) => {
-      const all = new Float64Array(16 * q.n);
-      for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
-      return all;
-    });
-    return { pitchDeg, n: q.n, places, curve: failed(curve) ? null : curve };
+    return { figure: good(s.meshFigure(q.view)), motion: q.positions ? motionOf(s, q.positions) : null };
   },
+  motion: (q: { text: string; n: number }) => motionOf(session(q.text), q.n),
   meshes(q: { text: string; tolerance: number }) {
     const s = session(q.text);
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));

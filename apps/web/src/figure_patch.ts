@@ -30,6 +30,7 @@ export function patchChildren(old: Node, fresh: Node): void {
 
 function patchNode(old: ChildNode, fresh: ChildNode): void {
   if (old.nodeName !== fresh.nodeName) return old.replaceWith(fresh);
+  if (old.isEqualNode(fresh)) return;
   if (old instanceof Element && fresh instanceof Element) {
     patchAttributes(old, fresh);
     patchChildren(old, fresh);

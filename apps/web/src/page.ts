@@ -112,7 +112,7 @@ export class Page {
       this.parts(),
       this.toast,
     );
-    bench.on("solved", () => {
+    bench.on("read", () => {
       this.name();
       this.main.classList.toggle("unsolved", bench.finder !== undefined); // true while there are no numbers
     });

@@ -35,7 +35,7 @@ export class QuantityPane {
   private rest = 0;
 
   constructor() {
-    bench.on("solved", () => this.update());
+    bench.on("read", () => this.update());
     bench.on("text", () => this.age());
     bench.on("opened", () => this.clear());
     onUnitChange(() => bench.again());

@@ -14,6 +14,7 @@ export function revisionOf(text: string): string {
 }
 
 const waiting = new WeakMap<HTMLElement, number>();
+const shown = new WeakMap<HTMLElement, string>(); // the text that each picture shows
 
 /** Sets the class "late" of an element if it stays late for a moment. A script waits instead of the style sheet,
  *  because a browser makes a layer for an animation that has not begun, and draws it in every frame. */
@@ -40,10 +41,12 @@ export function markRenewed(picture: HTMLElement): void {
  *  picture is being made, otherwise "kept". */
 export function markRevision(picture: HTMLElement, made: string, wanted: string, working = true): void {
   const stale = made !== "" && made !== wanted;
-  const revision = revisionOf(made);
-  // While a value changes, the picture lags behind the spec, but it is renewed in every frame and not dimmed.
-  if (picture.dataset["revision"] !== revision) markRenewed(picture);
-  picture.dataset["revision"] = revision;
+  if (shown.get(picture) !== made) {
+    shown.set(picture, made);
+    picture.dataset["revision"] = revisionOf(made);
+    // While a value changes, the picture lags behind the spec, but it is renewed in every frame and not dimmed.
+    markRenewed(picture);
+  }
   markLate(picture, stale);
   if (stale) picture.dataset["stale"] = working ? "working" : "kept";
   else delete picture.dataset["stale"];

@@ -173,7 +173,7 @@ export class Starts {
         const view = { ...kCard, name: example.name };
         const figure = kDrive.test(text)
           ? (await bench.back.call("driveFigures", { text, width: kCard.width }))[0]!
-          : await bench.back.call("meshFigure", { text, view });
+          : (await bench.back.call("mesh", { text, view, positions: 0 })).figure;
         // All schemes have the same id, but an id must be unique in the page.
         picture.innerHTML = figure.html.replaceAll(new RegExp(`\\b${figure.id}(?=["-])`, "g"), example.name);
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus

@@ -31,7 +31,7 @@ export class VerdictLine {
 
   constructor() {
     this.element.setAttribute("aria-live", "polite");
-    bench.on("solved", () => this.update());
+    bench.on("read", () => this.update());
     bench.on("searched", () => this.update());
     bench.on("opened", () => this.wait());
     judgement.onChange(() => this.update());

@@ -5,13 +5,18 @@
 // views are updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
-import type { Fault, Json, Questions, Solved } from "./engine_worker";
+import type { Row } from "../engine/engine";
+import type { Fault, Json, Known, Questions, Solved } from "./engine_worker";
 
 type Listener = () => void;
 /** The greatest length of a text that is accepted as a spec. The longest example has 1600 characters. */
 export const kMostCharacters = 1_000_000;
 /** Changes of the same field within this time are undone in one step. */
 const kOneStepMs = 900;
+/** While a value changes, words and numbers are renewed after this time, because nobody can read them faster, ms. */
+const kReadMs = 100;
+/** A value rests if it has not changed for this time, ms. */
+const kRestMs = 200;
 
 class Workbench {
   text = "";
@@ -19,6 +24,8 @@ class Workbench {
   solved: Solved | null = null;
   /** The last spec that could be solved. Pictures show it while the user is typing an invalid value. */
   good: Solved | null = null;
+  /** True while words and numbers show an earlier result than the last one. */
+  unread = false;
   /** The number of designs opened so far. A result that belongs to an earlier design is ignored. */
   design = 0;
   /** Time from the last change to its result, ms. */
@@ -36,9 +43,16 @@ class Workbench {
   private lastWhen = 0;
   private readonly edits = new Map<string, string>();
   private busy = false;
+  /** The last rows of a result, and the number of this result. */
+  private rows: { list: Row[]; number: number } = { list: [], number: 0 };
+  private lastRead = 0; // ms, the time at which words and numbers were renewed last
+  private rest = 0;
+  private lastSolved = 0; // ms, the time of the last result
+  private quick = false; // true if the last result followed another one within kRestMs, or a change followed it
   private readonly listeners = new Map<string, Set<Listener>>();
 
-  on(what: "text" | "solved" | "searched" | "history" | "opened", listener: Listener): void {
+  /** "solved" is for pictures. "read" is for words and numbers, and comes less often while a value changes. */
+  on(what: "text" | "solved" | "read" | "searched" | "history" | "opened", listener: Listener): void {
     if (!this.listeners.has(what)) this.listeners.set(what, new Set());
     this.listeners.get(what)!.add(listener);
   }
@@ -96,23 +110,24 @@ class Workbench {
     const begin = performance.now();
     const from = this.text;
     const { good } = this;
+    const read = begin - this.lastRead >= kReadMs;
     const edits = [...this.edits];
     this.edits.clear();
     try {
-      const answer = await this.front.call("edit", { text: from, edits, known: good?.number ?? 0 });
+      const answer = await this.front.call("edit", { text: from, edits, known: this.known(good, read) });
       // If the user has edited the text in the meantime, the edited text takes precedence over
       // this change.
       if (this.text !== from) return;
       if ("refused" in answer) {
         const { message, kind } = answer.refused;
         const fault = { key: edits[0]![0], value: edits[0]![1], message, kind };
-        this.takeSolved({ ...(this.solved ?? faulty(from, "")), fault }, begin);
+        this.takeSolved({ ...(this.solved ?? faulty(from, "")), fault }, begin, null, true);
         return;
       }
       this.remember(edits.map(([key]) => key).join(" "));
       this.text = answer.text;
       this.notify("text");
-      this.takeSolved(answer, begin, good);
+      this.takeSolved(answer, begin, good, read);
     } finally {
       this.busy = false;
       void this.applyEdits();
@@ -133,6 +148,16 @@ class Workbench {
     return this.design === design && this.good ? answer : null;
   }
 
+  /** True while a value changes continuously. */
+  get moving(): boolean {
+    return this.quick && performance.now() - this.lastSolved < kRestMs;
+  }
+  /** If a value changes continuously, waits until it rests. Returns false if the result is not the last one. */
+  async rested({ text }: Solved): Promise<boolean> {
+    if (this.moving) await new Promise((go) => setTimeout(go, kRestMs));
+    return this.good?.text === text;
+  }
+
   /** Solves the design on screen again, for example with rows in another unit. */
   again(): void {
     void this.solve();
@@ -145,25 +170,52 @@ class Workbench {
       this.takeSolved(
         faulty(this.text, `This text has ${millions} million characters; a spec has at most one million.`),
         begin,
+        null,
+        true,
       );
       return;
     }
     const { good } = this;
-    const answer = await this.front.latest("solve", "solve", { text: this.text, known: good?.number ?? 0 });
-    if (answer?.text === this.text) this.takeSolved(answer, begin, good);
+    const answer = await this.front.latest("solve", "solve", { text: this.text, known: this.known(good, true) });
+    if (answer?.text === this.text) this.takeSolved(answer, begin, good, true);
   }
 
-  /** `known` is the design whose result the engine does not send again. */
-  private takeSolved(solved: Solved, begin: number, known: Solved | null = null): void {
-    if (known && solved.number === known.number) {
-      solved.result ??= known.result;
-      solved.rows ??= known.rows;
-    }
+  private known(good: Solved | null, read: boolean): Known {
+    return { result: good?.number ?? 0, rows: read ? this.rows.number : null };
+  }
+
+  /** `known` is the design whose result the engine does not send again. If `read` is true, words and numbers are
+   *  renewed at once, otherwise after a pause in the changes. */
+  private takeSolved(solved: Solved, begin: number, known: Solved | null, read: boolean): void {
+    if (known && solved.number === known.number) solved.result ??= known.result;
     this.solved = solved;
     if (solved.result) this.good = solved;
     else if (this.finder) this.good = null;
-    this.lastMs = performance.now() - begin;
+    const now = performance.now();
+    this.lastMs = now - begin;
+    // If the page was busy with a picture, the next change has come in the meantime.
+    this.quick = this.edits.size > 0 || now - this.lastSolved < kRestMs;
+    this.lastSolved = now;
+    this.unread = true;
     this.notify("solved");
+    if (solved.rows) this.rows = { list: solved.rows, number: solved.number };
+    clearTimeout(this.rest);
+    if (read) void this.read(solved);
+    else this.rest = window.setTimeout(() => void this.read(solved), kReadMs);
+  }
+
+  /** Renews words and numbers. */
+  private async read(solved: Solved): Promise<void> {
+    const { text, result, number } = solved;
+    if (result && number !== this.rows.number) {
+      const list = await this.front.latest("rows", "rows", { text });
+      if (!list || this.solved !== solved) return;
+      this.rows = { list, number };
+    }
+    solved.rows = result && this.rows.list;
+    this.lastRead = performance.now();
+    this.unread = false;
+    this.notify("read");
   }
 
   /** The verb that computes the unknown values of the spec, if there are any. Such a spec is not an error. */

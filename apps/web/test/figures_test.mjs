@@ -92,7 +92,7 @@ describe("figures", () => {
       () =>
         window.gearwright.idle() &&
         document.querySelectorAll("#room-mesh defs use").length === 17 + 43 &&
-        !document.querySelector("#room-mesh circle[style]"),
+        !document.querySelector("#room-mesh [data-center]"),
     );
   });
 

@@ -1,6 +1,6 @@
 // The tab "contact" shows transmission error, spectrum and flanks. They are updated immediately when the
 // user moves a slider of an error or a modification. The contact pattern is computed in the background
-// and is updated later.
+// when the slider rests.
 
 import type { ContactCurve, ContactView as FigureView, Figure, FlankRaster } from "../../engine/engine";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
@@ -93,6 +93,7 @@ export class ContactView implements Tab {
       return this.clear(sentenceOf(reason));
     }
     fill(this.table);
+    if (!(await bench.rested(solved))) return;
     await this.pattern(solved.text);
     this.rest = window.setTimeout(() => void this.judge(), kRestMs);
   }

@@ -35,7 +35,7 @@ export class Form {
       this.signature = "";
       this.update();
     });
-    bench.on("solved", () => this.update());
+    bench.on("read", () => this.update());
   }
 
   update(): void {

@@ -14,10 +14,12 @@ import { markRenewed } from "../revision";
 import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
-import { keepVisible } from "./visible_parts";
+import { centerOf, keepVisible } from "./visible_parts";
 
 /** Pause after the last figure before it is drawn with its invisible parts, ms. */
 const kRestMs = 200;
+/** Number of positions in one pitch at which the engine computes poses. */
+const kPositions = 25;
 const kFrames = { whole: "whole", mesh: "mesh", flank: "flank" };
 
 export class MeshView implements Tab {
@@ -73,8 +75,6 @@ export class MeshView implements Tab {
   private last = 0; // ms, the time at which a figure was shown last
   private rest = 0;
   private design = -1;
-  private drawn = ""; // the text of the spec that the figure shows
-  private placed = ""; // the text of the spec to which the poses belong
   shown = "";
 
   constructor() {
@@ -101,7 +101,7 @@ export class MeshView implements Tab {
     if (!solved) {
       this.show(undefined);
       this.motion = null;
-      this.shown = this.drawn = this.placed = "";
+      this.shown = "";
       this.readout.textContent = bench.nothing;
       return;
     }
@@ -110,23 +110,10 @@ export class MeshView implements Tab {
     if (this.design !== bench.design) this.window = null;
     this.design = bench.design;
     if (!this.measured()[0]) return;
-    // The gears keep the poses of the previous spec until the new poses arrive. Until then, the picture is
-    // dimmed.
-    const { text } = solved;
-    const motion = bench.about(bench.back, "motion", "motion", { text, n: 25 });
-    await Promise.all([motion, this.draw()]);
-    this.motion = (await motion) ?? this.motion;
-    if (await motion) this.placed = text;
+    await this.draw();
     // If the size of the picture has changed in the meantime, the request for this figure may
     // have been dropped in favour of a newer one, so the figure is drawn again.
-    if (this.drawn !== text && bench.good?.text === text) await this.draw();
-    this.settle();
-  }
-
-  /** Marks the picture as up to date if the figure and the poses belong to the same text. */
-  private settle(): void {
-    if (this.drawn === this.placed) this.shown = this.drawn;
-    this.repaint();
+    if (this.shown !== solved.text && bench.good?.text === solved.text) await this.draw();
   }
 
   /** Returns the width and the height of the picture, px. They are measured only after a change of size, because
@@ -136,7 +123,7 @@ export class MeshView implements Tab {
     return this.size;
   }
 
-  /** Draws the figure for the current size and window. */
+  /** Draws the figure for the current size and window. The motion of its gears is computed once for each spec. */
   private async draw(): Promise<void> {
     const [width, height] = this.measured();
     if (!bench.good || !width || !height) return;
@@ -144,17 +131,18 @@ export class MeshView implements Tab {
     const { moves } = this;
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
-      const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
+      const positions = text === this.shown ? 0 : kPositions;
+      const answer = await bench.about(bench.front, "mesh", "mesh", { text, view, positions });
       // If the user has moved the view in the meantime, this figure is not shown. The figure is
       // requested again when the view stops.
-      if (!figure || this.moves !== moves) return;
-      this.show(figure);
-      this.drawn = text;
+      if (!answer || this.moves !== moves) return;
+      this.motion = answer.motion ?? this.motion;
+      this.shown = text;
+      this.show(answer.figure);
     } catch (reason) {
       this.show(undefined);
       throw reason;
     }
-    this.settle();
   }
 
   private show(figure: Figure | undefined): void {
@@ -229,9 +217,9 @@ export class MeshView implements Tab {
     const [cx, cy] = [x.px(center[0]), y.px(center[1])];
     const move = `translate(${x.px(axis[0]) - cx} ${y.px(axis[1]) - cy})`;
     const kRounding = 0.1; // px, rounding of the numbers in the SVG
-    for (const circle of plot.querySelectorAll<SVGCircleElement>("circle.thin")) {
-      const [dx, dy] = [circle.cx.baseVal.value - cx, circle.cy.baseVal.value - cy];
-      if (Math.hypot(dx, dy) < kRounding) circle.setAttribute("transform", move);
+    for (const circle of plot.querySelectorAll("circle.thin, [data-center]")) {
+      const [x, y] = centerOf(circle);
+      if (Math.hypot(x - cx, y - cy) < kRounding) circle.setAttribute("transform", move);
     }
   }
 

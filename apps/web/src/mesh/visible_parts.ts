@@ -1,6 +1,8 @@
 // Removes parts of the figure of the mesh that are outside the picture, so that it can be drawn in every frame
-// while a value changes. These parts are most teeth and most dashes of the circles. The visible parts are the
-// same as in the complete figure.
+// while a value changes. These parts are most teeth and most of the circles. The visible parts are the same as in
+// the complete figure, except that dashes can be displaced along their circle by some pixels.
+
+import { svg } from "../elements";
 
 type Box = { left: number; right: number; top: number; bottom: number }; // px
 
@@ -14,7 +16,7 @@ export function keepVisible(nodes: DocumentFragment, shown: Element | null, size
   const box = { left: x, right: x + width, top: y, bottom: y + height };
   for (const gear of [0, 1]) keepTeeth(nodes, shown, gear, box);
   const scale = Math.min(size[0] / width, size[1] / height);
-  for (const circle of nodes.querySelectorAll("circle.thin")) keepDashes(circle, shown, box, scale);
+  for (const circle of nodes.querySelectorAll("circle.thin")) keepArcs(circle, shown, box, scale);
 }
 
 function grown({ left, right, top, bottom }: Box, by: number): Box {
@@ -69,35 +71,36 @@ function arcsInside(cx: number, cy: number, r: number, box: Box): [number, numbe
   });
 }
 
-const patterns = new Map<string, number[]>();
-/** Returns the dashes and gaps of a line of this class, px. The list is empty if the line is solid. */
-function patternOf(style: string, shown: Element): number[] {
-  if (!patterns.has(style)) {
+const periods = new Map<string, number>();
+/** Returns the length of a dash pattern with its gaps, px, or 0 if the line is solid. */
+function periodOf(style: string, shown: Element): number | undefined {
+  if (!periods.has(style)) {
     const circle = [...shown.querySelectorAll("circle.thin")].find((one) => one.getAttribute("class") === style);
-    if (!circle) return [];
-    patterns.set(style, getComputedStyle(circle).strokeDasharray.split(/[ ,]+/).map(parseFloat).filter(Number.isFinite));
+    if (!circle) return undefined;
+    const dashes = getComputedStyle(circle).strokeDasharray.split(/[ ,]+/).map(parseFloat).filter(Number.isFinite);
+    periods.set(style, dashes.reduce((sum, one) => sum + one, 0));
   }
-  return patterns.get(style)!;
+  return periods.get(style);
 }
 
-/** Gives a dashed circle a pattern that consists of the visible dashes, in their places. */
-function keepDashes(circle: Element, shown: Element, box: Box, scale: number): void {
-  const pattern = patternOf(circle.getAttribute("class")!, shown);
-  if (!pattern.length) return;
+/** Replaces a circle by its visible arcs. The browser computes the dashes of a line once for each tile of the
+ *  screen that its bounding box touches. An arc begins with a dash, where the circle has one. */
+function keepArcs(circle: Element, shown: Element, box: Box, scale: number): void {
+  const style = circle.getAttribute("class")!;
+  const period = periodOf(style, shown);
+  if (period === undefined) return;
   const [cx, cy, r] = ["cx", "cy", "r"].map((name) => Number(circle.getAttribute(name))) as [number, number, number];
-  const period = pattern.reduce((sum, one) => sum + one, 0);
-  const list = [0];
-  let at = 0; // number of the period after the last visible one
-  let gap = 0; // px, from the last dash to this period
-  for (const [from, to] of arcsInside(cx, cy, r, grown(box, kStrokes))) {
-    const first = Math.max(at, Math.floor((from * r * scale) / period));
-    gap += (first - at) * period;
-    for (at = first; at * period < to * r * scale; ++at) {
-      list.push(gap, ...pattern.slice(0, -1));
-      gap = pattern.at(-1)!;
-    }
-  }
-  const rest = 2 * Math.PI * r * scale - at * period;
-  list.push(gap + Math.max(0, rest) + period);
-  circle.setAttribute("style", `stroke-dasharray:${list.map((one) => Number(one.toFixed(3))).join(" ")}`);
+  const at = (angle: number) => `${(cx + r * Math.cos(angle)).toFixed(3)} ${(cy + r * Math.sin(angle)).toFixed(3)}`;
+  const step = period / (r * scale);
+  const arcs = arcsInside(cx, cy, r, grown(box, kStrokes)).map(([from, to]) => {
+    const begin = step ? Math.floor(from / step) * step : from;
+    return `M${at(begin)}A${r} ${r} 0 ${to - begin > Math.PI ? 1 : 0} 1 ${at(to)}`;
+  });
+  circle.replaceWith(svg("path", { class: style, "data-center": `${cx} ${cy}`, d: arcs.join("") }));
+}
+
+/** Returns the centre of a circle, or of the circle whose arcs are shown, px. */
+export function centerOf(circle: Element): [number, number] {
+  const center = circle.getAttribute("data-center")?.split(" ") ?? ["cx", "cy"].map((name) => circle.getAttribute(name));
+  return center.map(Number) as [number, number];
 }

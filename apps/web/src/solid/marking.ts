@@ -8,6 +8,9 @@ import { colour } from "../elements";
 
 export interface Marking {
   texture: THREE.DataTexture;
+  /** `side` is +1 if the working flanks face counter-clockwise about the axis of the gear, and −1 if they face
+   *  clockwise. */
+  faces(side: number): void;
   set(raster: FlankRaster | null, thickness: number): void;
 }
 
@@ -19,11 +22,9 @@ export function metal(gear: number): THREE.Color {
   return new THREE.Color(colour(`g${gear + 1}`)).lerp(new THREE.Color(colour(`g${gear + 1}-fill`)), 0.32);
 }
 
-/** Returns a material in the colour of a gear, with a contact pattern on its working flanks. `side` is +1 if these
- *  flanks face counter-clockwise about the axis of the gear, and −1 if they face clockwise. */
+/** Returns a material in the colour of a gear, with a contact pattern on its working flanks. */
 export function markedMaterial(
   gear: number,
-  side: number,
   cut: THREE.Plane,
 ): { material: THREE.Material; marking: Marking } {
   const texture = new THREE.DataTexture(new Float32Array([kFar]), 1, 1, THREE.RedFormat, THREE.FloatType);
@@ -33,7 +34,7 @@ export function markedMaterial(
     span: { value: new THREE.Vector4(0, 1, 0, 1) }, // least and greatest diameter, then height, mm
     size: { value: new THREE.Vector2(1, 1) },
     thickness: { value: 0 },
-    side: { value: side },
+    side: { value: 1 },
     shine: { value: new THREE.Color(colour("action")) },
   };
   const material = new THREE.MeshStandardMaterial({
@@ -76,6 +77,9 @@ export function markedMaterial(
   };
   const marking: Marking = {
     texture,
+    faces(side) {
+      uniforms.side.value = side;
+    },
     set(raster, thickness) {
       uniforms.thickness.value = raster ? thickness : 0;
       if (!raster) return;

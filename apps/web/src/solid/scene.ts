@@ -67,14 +67,24 @@ export class SolidScene {
     canvas.addEventListener("dblclick", () => this.look());
   }
 
-  /** Replaces the solids by gears. The camera stays, and frame() moves it. */
+  /** Replaces the solids by gears without markings. The camera stays, and frame() moves it. */
   setMeshes(meshes: Mesh[], internal: boolean[], driver: number): void {
-    this.clear();
+    // Materials are kept, because the graphics card compiles a program for each new material.
+    const keep = meshes.length > 0 && this.markings.length === meshes.length;
+    if (!keep) this.clear();
     meshes.forEach((mesh, i) => {
-      const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
-      const { material, marking } = markedMaterial(i, side, this.cut);
-      this.add(geometryOf(mesh), material, colour(`g${i + 1}-fill`));
-      this.markings.push(marking);
+      const geometry = geometryOf(mesh);
+      if (keep) {
+        const [outer, inner] = this.gears[i]!.children as THREE.Mesh[];
+        outer!.geometry.dispose();
+        outer!.geometry = inner!.geometry = geometry;
+      } else {
+        const { material, marking } = markedMaterial(i, this.cut);
+        this.add(geometry, material, colour(`g${i + 1}-fill`));
+        this.markings.push(marking);
+      }
+      this.markings[i]!.set(null, 0);
+      this.markings[i]!.faces((internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1));
     });
     this.repaint();
   }

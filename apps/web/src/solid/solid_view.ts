@@ -1,9 +1,11 @@
 // The tab "solid" shows the pair in space, at any shaft angle. The user turns the view, cuts the solids, and
 // moves the gears apart. The contact point and its ellipse move over the flanks. The contact pattern stays on
-// the flanks. A drive is shown with all its bodies, which turn with their exact speed ratios.
+// the flanks. While a value changes, the solids are coarser and have no pattern. A drive is shown with all its
+// bodies, which turn with their exact speed ratios.
 
 import { loadScene } from "gearwright:parts";
 import type { Mesh } from "../../engine/engine";
+import type { Solved } from "../engine_worker";
 import { check, h, onThemeChange, slide, slider } from "../elements";
 import { poseAt, type Motion } from "../motion";
 import { at, bench, isDrive } from "../workbench";
@@ -12,7 +14,10 @@ import { TurnControl } from "../turn_control";
 import { DriveControls } from "./drive_controls";
 import type { SolidScene } from "./scene";
 
-const kPositions = 64;
+const kPositions = 64; // in one pitch
+/** Chord tolerance while a value changes relative to that of a value at rest, and number of positions. */
+const kCoarse = 8;
+const kCoarsePositions = 16;
 
 export class SolidView implements Tab {
   readonly id = "solid";
@@ -90,13 +95,25 @@ export class SolidView implements Tab {
       }
     }
     if (solved.text === this.shown) return this.scene.repaint();
-    const { text } = solved;
     for (const control of this.ofPair) control.hidden = isDrive();
-    if (isDrive()) return this.showDrive(text);
-    const answer = await bench.about(bench.back, "meshes", "meshes", { text, tolerance: this.tolerance() });
-    if (!answer) return;
-    const motion = await bench.about(bench.back, "motion-solid", "motion", { text, n: kPositions + 1 });
-    if (!motion) return;
+    if (isDrive()) return this.showDrive(solved.text);
+    const { moving } = bench;
+    await this.showGears(solved, moving);
+    if (!(await bench.rested(solved))) return;
+    if (moving) await this.showGears(solved, false);
+    await this.paintPattern();
+  }
+
+  /** Shows the gears and their motion, which two workers compute at the same time. */
+  private async showGears(solved: Solved, coarse: boolean): Promise<void> {
+    const { text } = solved;
+    const tolerance = this.tolerance() * (coarse ? kCoarse : 1);
+    const n = (coarse ? kCoarsePositions : kPositions) + 1;
+    const [answer, motion] = await Promise.all([
+      bench.about(bench.back, "meshes", "meshes", { text, tolerance }),
+      bench.about(bench.front, "motion", "motion", { text, n }),
+    ]);
+    if (!answer || !motion || !this.scene) return;
     this.drive.show(null);
     const fresh = this.scene.count !== answer.length;
     const gears = (solved.result?.["gears"] ?? []) as unknown as { teeth: number }[];
@@ -109,7 +126,6 @@ export class SolidView implements Tab {
     );
     this.motion = motion;
     this.settle(text, fresh, answer);
-    await this.paintPattern();
   }
 
   private async showDrive(text: string): Promise<void> {
@@ -178,7 +194,8 @@ export class SolidView implements Tab {
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;
       scene.place(gear, pose);
     });
-    const i = ((Math.round((this.turning.t + 0.5) * kPositions) % kPositions) + kPositions) % kPositions;
+    const positions = motion.n - 1;
+    const i = ((Math.round((this.turning.t + 0.5) * positions) % positions) + positions) % positions;
     scene.marks.show(apart < 0.02 ? motion.curve : null, i, this.size);
     scene.repaint();
   }

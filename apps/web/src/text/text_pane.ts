@@ -73,7 +73,7 @@ export class TextPane {
 
   constructor() {
     bench.on("text", () => this.take());
-    bench.on("solved", () => this.showFault());
+    bench.on("read", () => this.showFault());
     this.take();
   }
 
