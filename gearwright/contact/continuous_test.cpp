@@ -86,7 +86,7 @@ TEST(Continuous, DoesNotDependOnThePositions) {
 TEST(Continuous, KinksDoNotDependOnThePositions) {
   FlankModifications crowned;
   crowned.lead_crowning = 0.008;
-  for (const auto [z1, z2] : {std::pair{17, 43}, {18, 38}, {23, 61}}) {
+  for (const auto& [z1, z2] : {std::pair{17, 43}, {18, 38}, {23, 61}}) {
     auto sample = testing::involutes(z1, z2, 0);
     sample.modify(1, crowned);
     sample.place.errors = {.crossing = Angle::degrees(0.03)};
