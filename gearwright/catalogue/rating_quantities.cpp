@@ -296,17 +296,14 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       "torque_holding_Nm", "greatest torque", "T_1",
       "greatest torque on gear 1 for which the safety factors are at least `safety_flank_min` and "
       "`safety_root_min`, or at least 1 if these keys are absent; with a spectrum, the greatest "
-      "torque if all torques are multiplied by the same factor; null if there is no such torque, "
-      "or if `face_load_factor = \"computed\"` and there is a spectrum or K_Hβ has no value there; "
-      "null for a mesh of a drive",
+      "torque if all torques are multiplied by the same factor; null for a mesh of a drive, if no "
+      "torque holds, or if K_Hβ is \"computed\" and there is a spectrum or K_Hβ has no value there",
       &RatingAnswer::torque_holding);
-  q.number(
-       "face_width_holding_mm", "required face width", "b",
-       "least face width, up to 40 modules, for which the safeties satisfy the same limits as "
-       "for `torque_holding_Nm`; null if there is no such face width, or with "
-       "`face_load_factor = \"computed\"`, which applies to one face width; null for a mesh of a "
-       "drive",
-       &RatingAnswer::face_holding)
+  q.number("face_width_holding_mm", "required face width", "b",
+           "least face width, up to 40 modules, for which the safeties satisfy the same limits as "
+           "for `torque_holding_Nm`; null for a mesh of a drive, if there is no such width, or if "
+           "`face_load_factor = \"computed\"`, which applies to one face width",
+           &RatingAnswer::face_holding)
       .digits(2);
 }
 
