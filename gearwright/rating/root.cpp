@@ -26,7 +26,7 @@ double virtual_fillet(const RootTool& tool) {
 }
 
 // The 30° tangent of an external gear and the 60° tangent of an internal gear.
-struct Tangent {
+struct RootTangent {
   double T;              // angle in H [T11.27]
   double start;          // of the search for θ, π/2 − T
   double chord, height;  // factors of (G/cos θ − ρ) in s_Fn and h_F, 2 sin T and 2 cos T
@@ -41,7 +41,7 @@ struct RimRule {
 };
 
 struct RootRules {
-  Tangent tangent;
+  RootTangent tangent;
   RimRule rim;
 };
 constexpr RootRules kExternalRoot{
@@ -76,7 +76,7 @@ std::optional<double> tangent_angle(double G, double z_n, double H, double start
 
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at) {
-  const Tangent& tangent = root_rules(gear.side()).tangent;
+  const RootTangent& tangent = root_rules(gear.side()).tangent;
   const double m = pair.normal_module;
   const double z_n = gear.virtual_teeth;
   const double x = gear.generating_shift;

@@ -56,6 +56,9 @@ def test_examples(path):
     assert {k: v for k, v in again.items() if k != "warnings"} == {k: v for k, v in told.items() if k != "warnings"}
     if verb == "pair":
         assert value.result() == again
+        # Values at the ends of tolerances belong to the spec. They are in result(), which is compared above.
+        for part in (told["pair"], *told["gears"]):
+            part.pop("interval", None)
         assert json.dumps(value.as_dict()) == json.dumps(told["pair"])
         assert json.dumps(value.gear1.as_dict()) == json.dumps(told["gears"][0])
     else:
