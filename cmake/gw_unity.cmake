@@ -20,8 +20,9 @@ set(gw_joined
   "rating verdict")
 
 # These sources are compiled alone. Highway includes a source `_simd` again for each instruction set. The program
-# gearwright writes no figures as PDF, so the linker leaves out their sources.
-set(gw_alone "(_simd|/(figure_files|style_sheet))\\.cpp$")
+# gearwright writes no figures as PDF, so the linker leaves out their sources. windows.h, which system_windows.cpp
+# includes, defines common names such as `near` as macros.
+set(gw_alone "(_simd|/(figure_files|style_sheet|system_windows))\\.cpp$")
 
 # The parts of a room have the same number of sources, so that two processors finish at nearly the same time.
 function(gw_unity target)
