@@ -34,7 +34,7 @@ export class Proposals extends Requested {
       ...proposals.map((proposal, i) => {
         const same = sameAs(proposals, i);
         if (same[0] !== i) return null;
-        const values = { ...(proposal["worst"] as JsonRecord), [kWithoutLoad]: proposal[kWithoutLoad]! };
+        const values: JsonRecord = { ...(proposal["worst"] as JsonRecord), [kWithoutLoad]: proposal[kWithoutLoad]! };
         const take = this.takeButton(proposal["spec"]!, `proposal ${i + 1}`, `take proposal ${i + 1}`);
         return h(
           "tr",
