@@ -76,6 +76,27 @@ describe("while a value changes", () => {
     await page.waitForFunction(() => !document.querySelector("#room-mesh [data-center]"));
   });
 
+  it("the circles of the whole pair stay visible", async () => {
+    // Regression: an arc that begins and ends at the same point is not drawn.
+    await put(page, example("helical_pair"), "mesh");
+    await page.click('[data-choice="whole"]');
+    await idle(page);
+    const drawn = page.evaluate(async () => {
+      let least = Infinity;
+      for (let i = 0; i < 100; ++i) {
+        const lines = [...document.querySelectorAll("#room-mesh .thin")].filter((one) => one.getTotalLength() > 100);
+        least = Math.min(least, lines.length);
+        await new Promise(requestAnimationFrame);
+      }
+      return least;
+    });
+    const before = await page.locator("#room-mesh .thin").count();
+    await drag("gear1.profile_shift", steps(0.3, 0.001, 12));
+    const least = await drawn;
+    assert.ok(least > 0.8 * before, `${least} of ${before} circles`);
+    await page.click('[data-choice="mesh"]');
+  });
+
   it("the contact pattern is computed only when the value rests", async () => {
     await put(page, example("misaligned_pair"), "contact");
     await idle(page);

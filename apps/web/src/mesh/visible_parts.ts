@@ -12,7 +12,8 @@ const kStrokes = 8; // px, more than half the width of a line
  *  current positions, and `size` is the size of the picture on screen, px. */
 export function keepVisible(nodes: DocumentFragment, shown: Element | null, size: [number, number]): void {
   const [x, y, width, height] = (nodes.querySelector("svg")?.getAttribute("viewBox") ?? "").split(" ").map(Number);
-  if (!shown || x === undefined || y === undefined || !width || !height) return;
+  // The size is 0 while another tab is shown.
+  if (!shown || x === undefined || y === undefined || !width || !height || !size[0] || !size[1]) return;
   const box = { left: x, right: x + width, top: y, bottom: y + height };
   for (const gear of [0, 1]) keepTeeth(nodes, shown, gear, box);
   const scale = Math.min(size[0] / width, size[1] / height);
@@ -92,7 +93,9 @@ function keepArcs(circle: Element, shown: Element, box: Box, scale: number): voi
   const [cx, cy, r] = ["cx", "cy", "r"].map((name) => Number(circle.getAttribute(name))) as [number, number, number];
   const at = (angle: number) => `${(cx + r * Math.cos(angle)).toFixed(3)} ${(cy + r * Math.sin(angle)).toFixed(3)}`;
   const step = period / (r * scale);
-  const arcs = arcsInside(cx, cy, r, grown(box, kStrokes)).map(([from, to]) => {
+  const visible = arcsInside(cx, cy, r, grown(box, kStrokes));
+  if (visible.length === 1 && visible[0]![1] - visible[0]![0] === 2 * Math.PI) return; // an arc cannot be a whole circle
+  const arcs = visible.map(([from, to]) => {
     const begin = step ? Math.floor(from / step) * step : from;
     return `M${at(begin)}A${r} ${r} 0 ${to - begin > Math.PI ? 1 : 0} 1 ${at(to)}`;
   });
