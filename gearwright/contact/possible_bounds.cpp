@@ -1,5 +1,7 @@
 #include "gearwright/contact/possible_bounds.hpp"
 
+#include "gearwright/math/root.hpp"
+
 namespace gearwright::detail {
 
 CompensationTask within_teeth(CompensationTask task) {
@@ -13,11 +15,7 @@ CompensationTask within_teeth(CompensationTask task) {
       };
       double& bound = task.corrections[k].*end;
       if (possible(bound)) continue;
-      double reached = 0.0, beyond = bound;
-      for (int i = 0; i < kHalvings; ++i) {
-        const double middle = (reached + beyond) / 2;
-        (possible(middle) ? reached : beyond) = middle;
-      }
+      const double reached = nearest_possible(0.0, bound, possible, kHalvings);
       if (reached != 0.0) bound = reached;
     }
   }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/contact/compensation.hpp"
 
 namespace gearwright::detail {

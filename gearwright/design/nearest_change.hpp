@@ -23,7 +23,8 @@ namespace gearwright {
 
 struct NearestChange {
   /// The changed member of SearchProblem, such as "limits.contact_ratio". Other values are
-  /// "rating.torque", "rating.output_torque", "rating.power", and "gear1.material.name" for the steel of both gears.
+  /// "rating.torque", "rating.output_torque", "rating.power", and "gear1.material.name" for the steel
+  /// of both gears.
   std::string field;
   std::string from;  ///< the given value, such as "1.2" or "[99, 101]"
   std::string to;    ///< value with which a design exists, rounded to the feasible side

@@ -35,12 +35,11 @@ struct Root {
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
 /// Finds the value nearest to `wanted` for which `possible` returns true, by bisection. `possible`
-/// must be true at `known` and false at `wanted`, and must change only once between them.
+/// must be true at `known` and false at `wanted`, and must change only once between them. 50
+/// halvings reduce any range to the rounding error.
 template <class Possible>
-double nearest_possible(double known, double wanted, const Possible& possible) {
-  // 50 halvings reduce any range to the rounding error.
-  constexpr int kHalvings = 50;
-  for (int step = 0; step < kHalvings; ++step) {
+double nearest_possible(double known, double wanted, const Possible& possible, int halvings = 50) {
+  for (int step = 0; step < halvings; ++step) {
     const double middle = (known + wanted) / 2;
     (possible(middle) ? known : wanted) = middle;
   }
