@@ -15,7 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kDegree = 3;
 constexpr int kMinElements = 4;
 
 const std::array<double, 4>& lobatto() {
@@ -43,31 +42,6 @@ double lagrange_slope(int i, double x) {
   }
   return sum;
 }
-
-// A range of columns, begin … begin + count − 1. All columns of a matrix of loads outside the range
-// are zero. The range must consist of whole panels of kPanel columns and must have more than one
-// column. Only then does Eigen add up the terms of a product in the same order as for the whole
-// matrix. With other ranges, columns of zeros would change the rounding of the other columns.
-struct LoadedColumns {
-  Index begin = 0, count = 0;
-
-  void include(const Eigen::Ref<const MatrixXd>& loads) {
-    constexpr Index kPanel = 4;
-    Index first = 0, end = loads.cols();
-    while (end > 0 && loads.col(end - 1).isZero(0.0)) --end;
-    if (end == 0) return;
-    while (loads.col(first).isZero(0.0)) ++first;
-    first -= first % kPanel;
-    end = std::min((end + kPanel - 1) / kPanel * kPanel, loads.cols());
-    if (end - first == 1) first = std::max<Index>(0, first - kPanel);
-    if (count > 0) {
-      first = std::min(first, begin);
-      end = std::max(end, begin + count);
-    }
-    begin = first;
-    count = end - first;
-  }
-};
 
 }  // namespace
 
@@ -136,7 +110,9 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     const MatrixXd transposed =
         factor_.back().triangularView<Eigen::Lower>().solve(element_->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
-    carried.noalias() = -below_.back() * transposed;
+    // The Cholesky decomposition reads the lower triangle only.
+    carried.setZero();
+    carried.selfadjointView<Eigen::Lower>().rankUpdate(below_.back(), -1.0);
   }
 }
 
@@ -170,68 +146,59 @@ VectorXd Face::mean(double lo, double hi) const {
   return v;
 }
 
-void Face::solve(MatrixXd& x) const {
+const MatrixXd& Face::recovered() const { return element_->recovered; }
+
+Face::Loads Face::loads(const MatrixXd& on_modes) const {
   const Index r = modes_;
-  const auto n = static_cast<Index>(ends_.size()) - 1;
-  GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
-  const auto node = [&](Index i) { return x.middleRows(i * r, r); };
-  const auto part = [&](Index i, const LoadedColumns& c) {
-    return x.block(i * r, c.begin, r, c.count);
-  };
-  // In each element, the loads at the inner nodes are transferred to the ends, and the
-  // displacements of the inner nodes are computed for fixed ends. A column contains a load on one
-  // slice and is zero in most elements. Each element therefore includes only its loaded columns.
-  for (Index e = 0; e < n; ++e) {
-    const Index i = e * kDegree;
-    LoadedColumns here;
-    here.include(x.middleRows((i + 1) * r, 2 * r));
-    if (here.count == 0) continue;
-    auto inner = x.block((i + 1) * r, here.begin, 2 * r, here.count);
-    const MatrixXd reaction = element_->recovered.transpose() * inner;
-    part(i, here) -= reaction.topRows(r);
-    part(i + kDegree, here) -= reaction.bottomRows(r);
-    element_->inner.solveInPlace(inner);
+  GW_EXPECTS(on_modes.rows() == r);
+  Loads l{on_modes, {}, {}};
+  for (const int b : {0, 1}) {
+    l.at_ends[b] = element_->recovered.middleRows(b * r, r).transpose() * on_modes;
+    l.inner[b] = MatrixXd::Zero(2 * r, on_modes.cols());
+    l.inner[b].middleRows(b * r, r) = on_modes;
+    element_->inner.solveInPlace(l.inner[b]);
   }
-  LoadedColumns reached;
+  return l;
+}
+
+MatrixXd Face::solve(const Loads& loads, int load, const MatrixXd& along) const {
+  GW_EXPECTS(along.rows() == node_count());
+  const Index r = modes_, n = element_count(), columns = along.cols();
+  MatrixXd x = MatrixXd::Zero((n + 1) * r, columns);
+  // For each column, the first end that is loaded in this or a later column.
+  std::vector<Index> first(columns, n);
+  for (Index j = 0; j < columns; ++j) {
+    for (Index i = n; i >= 0; --i) {
+      if (const double f = along(i * kDegree, j); f != 0.0) {
+        x.block(i * r, j, r, 1) += f * loads.at_node.col(load);
+        first[j] = i;
+      }
+      if (i == n) continue;
+      for (const int b : {0, 1}) {
+        const double f = along(i * kDegree + 1 + b, j);
+        if (f == 0.0) continue;
+        x.block(i * r, j, 2 * r, 1) -= f * loads.at_ends[b].col(load);
+        first[j] = i;
+      }
+    }
+  }
+  for (Index j = columns - 1; j > 0; --j) first[j - 1] = std::min(first[j - 1], first[j]);
+  // The elimination from the first end on includes only the columns whose load it has reached.
+  Index reached = 0;
   for (Index i = 0; i <= n; ++i) {
     if (i > 0)
-      part(i * kDegree, reached).noalias() -= below_[i - 1] * part((i - 1) * kDegree, reached);
-    reached.include(node(i * kDegree));
-    auto here = part(i * kDegree, reached);
+      x.block(i * r, 0, r, reached).noalias() -=
+          below_[i - 1] * x.block((i - 1) * r, 0, r, reached);
+    while (reached < columns && first[reached] <= i) ++reached;
+    auto here = x.block(i * r, 0, r, reached);
     factor_[i].triangularView<Eigen::Lower>().solveInPlace(here);
   }
   for (Index i = n; i >= 0; --i) {
-    if (i < n) node(i * kDegree).noalias() -= below_[i].transpose() * node((i + 1) * kDegree);
-    auto here = node(i * kDegree);
+    auto here = x.middleRows(i * r, r);
+    if (i < n) here.noalias() -= below_[i].transpose() * x.middleRows((i + 1) * r, r);
     factor_[i].triangularView<Eigen::Lower>().transpose().solveInPlace(here);
   }
-}
-
-MatrixXd Face::at_ends(Index e, const MatrixXd& x) const {
-  MatrixXd ends(2 * modes_, x.cols());
-  ends << x.middleRows(e * kDegree * modes_, modes_),
-      x.middleRows((e + 1) * kDegree * modes_, modes_);
-  return ends;
-}
-
-MatrixXd Face::read(const MatrixXd& weights, const MatrixXd& x) const {
-  const Index r = modes_, w = weights.cols();
-  MatrixXd out(node_count() * w, x.cols());
-  for (Index a = 0; a < node_count(); ++a)
-    out.middleRows(a * w, w).noalias() = weights.transpose() * x.middleRows(a * r, r);
-  MatrixXd by_ends(2 * w, 2 * r);
-  for (const Index a : {0, 1})
-    by_ends.middleRows(a * w, w).noalias() =
-        weights.transpose() * element_->recovered.middleRows(a * r, r);
-  for (Index e = 0; e + 1 < static_cast<Index>(ends_.size()); ++e)
-    out.middleRows((e * kDegree + 1) * w, 2 * w).noalias() -= by_ends * at_ends(e, x);
-  return out;
-}
-
-void Face::complete(MatrixXd& x) const {
-  for (Index e = 0; e + 1 < static_cast<Index>(ends_.size()); ++e)
-    x.middleRows((e * kDegree + 1) * modes_, 2 * modes_).noalias() -=
-        element_->recovered * at_ends(e, x);
+  return x;
 }
 
 }  // namespace gearwright::detail

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/compliance/face.hpp"
+#include "gearwright/compliance/face_reading.hpp"
 
 namespace gearwright {
 
@@ -120,17 +120,18 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const Functional f = bump(mesh, s, c, tau);
   const Eigen::VectorXd q = t.modes.fields.transpose() * f.vector(n);
   const Eigen::VectorXd z = face.mean(from, to);
-  Eigen::MatrixXd x(face.node_count() * face.mode_count(), 1);
-  for (int i = 0; i < face.node_count(); ++i)
-    x.col(0).segment(i * face.mode_count(), face.mode_count()) = z[i] * q;
-  face.solve(x);
-  const Eigen::VectorXd along = face.read(q, x);
+  const Face::Loads loads = face.loads(q);
+  const Eigen::MatrixXd ends = face.solve(loads, 0, z);
+  const FaceReading reading(face, loads, q.transpose());
+  const auto read = [&](const Eigen::VectorXd& weights) {
+    return reading.at(weights, {}, z, ends).value();
+  };
   const Local local(t.metric(s), c, a, nu);
   const double unit = 1 / (body.youngs_modulus * m);
-  answer.own = unit * (z.dot(along) + local.to_itself(from, to, half_face));
+  answer.own = unit * (read(z) + local.to_itself(from, to, half_face));
   for (const double at : probe.read) {
     answer.profile.push_back(
-        unit * (face.at(at / m).dot(along) + local.to_point(at / m, from, to, half_face)));
+        unit * (read(face.at(at / m)) + local.to_point(at / m, from, to, half_face)));
   }
   return answer;
 }

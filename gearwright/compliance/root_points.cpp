@@ -23,9 +23,10 @@ RootPoints root_points(const ToothSection& section) {
     points.place.push_back(mesh.outline(0.5 * i));
   }
   const auto count = static_cast<Eigen::Index>(points.t.size());
+  points.of_mode = points.of_slope = Eigen::MatrixXd::Zero(3 * 6 * count, r);
   for (int k = -1; k <= 1; ++k) {
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(6 * count, r);
-    Eigen::MatrixXd b = a;
+    auto a = points.of_mode.middleRows(6 * count * (k + 1), 6 * count);
+    auto b = points.of_slope.middleRows(6 * count * (k + 1), 6 * count);
     const auto& edges = mesh.tooth_edges[mesh.side_teeth + k];
     const auto add = [&](Eigen::Index point, const SectionMesh::Edge& edge, double x,
                          double weight) {
@@ -57,8 +58,6 @@ RootPoints root_points(const ToothSection& section) {
       if (before) add(i, edges[whole - 1], 1.0, weight);
       if (after) add(i, edges[whole], -1.0, weight);
     }
-    points.of_mode.push_back(std::move(a));
-    points.of_slope.push_back(std::move(b));
   }
   return points;
 }

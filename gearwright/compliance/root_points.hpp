@@ -14,10 +14,10 @@ namespace gearwright::detail {
 struct RootPoints {
   std::vector<double> t;                    ///< position along the outline (section_mesh.hpp)
   std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
-  /// For each of the teeth −1, 0 and 1, a matrix with a column per mode and six rows per point, one
-  /// for each component. `of_mode` contains the stresses due to the amplitude of a mode, and
-  /// `of_slope` the stresses due to the slope of the amplitude along the face.
-  std::vector<Eigen::MatrixXd> of_mode, of_slope;
+  /// The stresses due to the amplitude of a mode and due to the slope of the amplitude along the
+  /// face. There is a column for each mode. The rows are those of tooth −1, then of tooth 0, then
+  /// of tooth 1, with six components for each point.
+  Eigen::MatrixXd of_mode, of_slope;
 };
 
 RootPoints root_points(const ToothSection& section);

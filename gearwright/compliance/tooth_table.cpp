@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/compliance/face.hpp"
+#include "gearwright/compliance/face_reading.hpp"
 
 namespace gearwright {
 
@@ -19,10 +19,6 @@ constexpr double kTableElement = 0.5;  // modules: length of an element along th
 // At distances from the end of the face above this limit, modules, the mirror images of bump and
 // strip cause equal displacements.
 constexpr double kImageReach = 2.0;
-// Returns the slice at −z if slice j is at z. For a spur gear, both slices have the same
-// coefficients.
-int mirrored(int j, int n) { return n - 1 - j; }
-
 }  // namespace
 
 double& ToothTable::entry(std::vector<double>& t, int i, int j, int k, int l) const {
@@ -57,7 +53,7 @@ ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double 
   return w;
 }
 
-// Computes the response of the modes to a unit force on each slice at each position.
+// Computes the displacements and root stresses under a unit force on each slice at each position.
 void ToothTable::make(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -66,92 +62,43 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Face face(s.modes.matrices, request.face_width, kTableElement);
   count_step(request.progress);
   const Index r = face.mode_count();
-  const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
   // Projections onto the modes. `load` is for loads at the positions on tooth 0, and `read` is for
   // displacements at the positions on teeth −side … side.
   MatrixXd load(r, places_);
-  MatrixXd read(r, places_ * (2 * side + 1));
+  MatrixXd read(places_ * (2 * side + 1), r);
   for (int i = 0; i < places_; ++i) {
     load.col(i) = s.modes.fields.transpose() * s.bumps[i].vector(n3);
     for (int k = -side; k <= side; ++k) {
       const Functional f = k == 0 ? s.bumps[i] : on_tooth(s.mesh, s.bumps[i], k);
-      read.col((k + side) * places_ + i) = s.modes.fields.transpose() * f.vector(n3);
+      read.row((k + side) * places_ + i) = f.vector(n3).transpose() * s.modes.fields;
     }
   }
-  MatrixXd mean(nodes, n_);
-  MatrixXd value(nodes, n_);
-  MatrixXd slope(nodes, n_);
+  const Face::Loads loads = face.loads(load);
+  MatrixXd mean(face.node_count(), n_);
   const double h = slices_.width();
-  for (int j = 0; j < n_; ++j) {
+  for (int j = 0; j < n_; ++j)
     mean.col(j) = face.mean(slices_.lo + j * h, slices_.lo + (j + 1) * h);
-    value.col(j) = face.at(slices_.middle(j));
-    slope.col(j) = face.slope_at(slices_.middle(j));
-  }
-  if (request.root_stress) root_ = root_points(s);
-  const auto points = static_cast<Index>(root_.t.size());
+  // A spur gear is symmetric about the middle of the face, so only half of the slices are loaded.
+  solved_ = s.tau == 0.0 && slices_.lo == -slices_.hi ? (n_ + 1) / 2 : n_;
+  const MatrixXd along = mean.leftCols(solved_);
+  MatrixXd ends((face.element_count() + 1) * r, places_ * solved_);
+  parallel_for(static_cast<std::size_t>(places_), [&](std::size_t i) {
+    ends.middleCols(static_cast<Index>(i) * solved_, solved_) =
+        face.solve(loads, static_cast<int>(i), along);
+    count_step(request.progress);
+  });
+  const FaceReading displacement(face, loads, std::move(read));
   same_.assign(static_cast<std::size_t>(n_) * n_ * places_ * places_, 0.0);
   other_.assign(2 * side + 1, same_);
-  stress_.assign(3, std::vector<MatrixXd>(places_));
-  // A spur gear is symmetric about the middle of the face, so only half of the slices are solved.
-  const bool symmetric = s.tau == 0.0 && slices_.lo == -slices_.hi;
-  const int solved = symmetric ? (n_ + 1) / 2 : n_;
-  parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
+  parallel_for(static_cast<std::size_t>(n_), [&](std::size_t at) {
+    const int l = static_cast<int>(at);
+    const MatrixXd u = displacement.at(mean.col(l), {}, along, ends);
+    for (int k = -side; k <= side; ++k)
+      store(k == 0 ? same_ : other_[k + side], l, u.middleRows((k + side) * places_, places_));
     count_step(request.progress);
-    const int i = static_cast<int>(at);
-    MatrixXd x(nodes * r, solved);
-    for (int j = 0; j < solved; ++j)
-      for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
-    face.solve(x);
-    count_step(request.progress);
-    const MatrixXd by_node = face.read(read, x);
-    count_step(request.progress);
-    for (int l = 0; l < n_; ++l) {
-      MatrixXd u = MatrixXd::Zero(read.cols(), solved);
-      for (Index a = 0; a < nodes; ++a)
-        if (mean(a, l) != 0.0) u += mean(a, l) * by_node.middleRows(a * read.cols(), read.cols());
-      for (int k = -side; k <= side; ++k) {
-        std::vector<double>& to = k == 0 ? same_ : other_[k + side];
-        for (int p = 0; p < places_; ++p) {
-          for (int j = 0; j < solved; ++j) {
-            const double v = u((k + side) * places_ + p, j);
-            entry(to, i, j, p, l) = v;
-            if (symmetric) entry(to, i, mirrored(j, n_), p, mirrored(l, n_)) = v;
-          }
-        }
-      }
-    }
-    if (!request.root_stress) return;
-    face.complete(x);
-    count_step(request.progress);
-    // Amplitudes f and slopes g at the middles of all slices. The columns of a slice are adjacent.
-    MatrixXd f = MatrixXd::Zero(r, solved * n_);
-    MatrixXd g = f;
-    for (int l = 0; l < n_; ++l) {
-      for (Index a = 0; a < nodes; ++a) {
-        if (value(a, l) != 0.0)
-          f.middleCols(l * solved, solved) += value(a, l) * x.middleRows(a * r, r);
-        if (slope(a, l) != 0.0)
-          g.middleCols(l * solved, solved) += slope(a, l) * x.middleRows(a * r, r);
-      }
-    }
-    for (int k = 0; k < 3; ++k) {
-      count_step(request.progress);
-      MatrixXd sigma = root_.of_mode[k] * f;
-      sigma.noalias() += root_.of_slope[k] * g;
-      MatrixXd& to = stress_[k][i];
-      to.resize(6 * points * n_, n_);
-      for (int l = 0; l < n_; ++l) {
-        to.block(6 * points * l, 0, 6 * points, solved) = sigma.middleCols(l * solved, solved);
-        if (!symmetric) continue;
-        for (int j = 0; j < solved; ++j) {
-          auto image = to.block(6 * points * mirrored(l, n_), mirrored(j, n_), 6 * points, 1);
-          image = sigma.col(l * solved + j);
-          for (Index p = 0; p < points; ++p) image.middleRows(6 * p + 4, 2) *= -1.0;
-        }
-      }
-    }
   });
+  if (request.root_stress) make_root_stress(request, face, loads, along, ends);
   // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, the smooth part
   // of the rim disturbs it, so the mean of each entry and the reciprocal entry is used.
   for (int j = 0; j < n_; ++j) {
@@ -170,6 +117,49 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
   }
+}
+
+// Stores displacements on one tooth at slice l. Row p of `u` is the position that is read, and
+// column i·solved_ + j is for the force on slice j at position i.
+void ToothTable::store(std::vector<double>& to, int l, const Eigen::Ref<const MatrixXd>& u) {
+  for (int i = 0; i < places_; ++i) {
+    for (int j = 0; j < solved_; ++j) {
+      for (int p = 0; p < places_; ++p) {
+        const double v = u(p, i * solved_ + j);
+        entry(to, i, j, p, l) = v;
+        if (has_image(j)) entry(to, i, mirrored(j), p, mirrored(l)) = v;
+      }
+    }
+  }
+}
+
+// Computes the stresses in the middle of each slice at the root points of teeth −1, 0 and 1.
+void ToothTable::make_root_stress(const ToothTableRequest& request, const detail::Face& face,
+                                  const detail::Face::Loads& loads, const MatrixXd& along,
+                                  const MatrixXd& ends) {
+  root_ = detail::root_points(*section_);
+  const auto points = static_cast<Index>(root_.t.size());
+  const detail::FaceReading stress(face, loads, root_.of_mode, root_.of_slope);
+  stress_.assign(3, std::vector<MatrixXd>(places_, MatrixXd(6 * points * n_, n_)));
+  parallel_for(static_cast<std::size_t>(n_), [&](std::size_t at) {
+    const int l = static_cast<int>(at);
+    const double z = slices_.middle(l);
+    const MatrixXd sigma = stress.at(face.at(z), face.slope_at(z), along, ends);
+    count_step(request.progress);
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < places_; ++i) {
+        const auto here = sigma.block(6 * points * k, i * solved_, 6 * points, solved_);
+        MatrixXd& to = stress_[k][i];
+        to.block(6 * points * l, 0, 6 * points, solved_) = here;
+        for (int j = 0; j < solved_; ++j) {
+          if (!has_image(j)) continue;
+          auto image = to.block(6 * points * mirrored(l), mirrored(j), 6 * points, 1);
+          image = here.col(j);
+          for (Index p = 0; p < points; ++p) image.middleRows(6 * p + 4, 2) *= -1.0;
+        }
+      }
+    }
+  });
 }
 
 // Subtracts H[b, b], which is the indentation under the bumps, and computes H[a, a], which is the
@@ -331,8 +321,17 @@ MatrixXd ToothTable::on_grid(const LinePlaces& line, const VectorXd& force) cons
 void ToothTable::add_root_stress(int k, const MatrixXd& force, MatrixXd& stress) const {
   GW_EXPECTS(std::abs(k) <= 1);
   Eigen::Map<VectorXd> all(stress.data(), stress.size());
-  for (int p = 0; p < places_; ++p)
-    if (!force.col(p).isZero(0.0)) all.noalias() += stress_[k + 1][p] * force.col(p);
+  for (int p = 0; p < places_; ++p) {
+    // Only a few slices are loaded near each position along the flank.
+    const auto f = force.col(p);
+    Index first = 0;
+    Index end = f.size();
+    while (first < end && f[first] == 0.0) ++first;
+    while (end > first && f[end - 1] == 0.0) --end;
+    const Index count = end - first;
+    if (count > 0)
+      all.noalias() += stress_[k + 1][p].middleCols(first, count) * f.segment(first, count);
+  }
 }
 
 }  // namespace gearwright

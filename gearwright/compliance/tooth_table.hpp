@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "gearwright/compliance/face.hpp"
 #include "gearwright/compliance/root_points.hpp"
 #include "gearwright/compliance/tooth_section.hpp"
 
@@ -44,8 +45,8 @@ struct ToothTableRequest {
   double half_width = 0.05;      ///< half width a of the strip in H[a, a], normal modules
   double line_per_height = 1.0;  ///< length of the contact line per unit of height, 1/cos β_b
   bool root_stress = true;       ///< true if root stresses are to be computed
-  Progress* progress = nullptr;  ///< counts eight steps for each position along the flank, or four
-                                 ///< without root stress, and two more
+  Progress* progress = nullptr;  ///< counts two steps for each position along the flank, one for
+                                 ///< each slice, another one with root stress, and two more
 };
 
 class ToothTable {
@@ -89,6 +90,16 @@ class ToothTable {
   double entry(const std::vector<double>& table, int j, const Weights& from, int l,
                const Weights& to) const;
   void make(const ToothTableRequest& request);
+  void make_root_stress(const ToothTableRequest& request, const detail::Face& face,
+                        const detail::Face::Loads& loads, const Eigen::MatrixXd& along,
+                        const Eigen::MatrixXd& ends);
+  void store(std::vector<double>& to, int l, const Eigen::Ref<const Eigen::MatrixXd>& u);
+  // Returns the slice at −z if slice j is at z. For a spur gear, both slices have the same
+  // coefficients.
+  int mirrored(int j) const { return n_ - 1 - j; }
+  // True if the coefficients of the mirror image of slice j are those of slice j, so that they are
+  // not computed.
+  bool has_image(int j) const { return mirrored(j) >= solved_; }
   void make_local(const ToothTableRequest& request);
   double& entry(std::vector<double>& t, int i, int j, int k, int l) const;
 
@@ -96,6 +107,7 @@ class ToothTable {
   FaceSlices slices_;
   double half_face_ = 0.0;
   int n_ = 0, places_ = 0;
+  int solved_ = 0;  // the slices 0 … solved_ − 1 are loaded; the other ones are mirror images
   std::vector<double> middles_;  // middles of the slices
   // C_FE − H[b, b] of one tooth, in the order [load slice][read slice][load place][read place].
   std::vector<double> same_;
