@@ -311,22 +311,13 @@ TEST(Mesh, ShadedTwinHasTheExactNormals) {
     const TriangleMesh mesh = mesh_of(body);
     ASSERT_EQ(mesh.triangles.size(), mesh.shaded_triangles.size()) << name;
     ASSERT_EQ(mesh.normals.size(), mesh.shaded_vertices.size()) << name;
-    double worst = 1.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const Triangle& t = mesh.triangles[i];
-      const Triangle& s = mesh.shaded_triangles[i];
-      const Vec3& a = mesh.vertices[t[0]];
-      const Vec3 facet = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).normalized();
-      for (std::size_t j = 0; j < 3; ++j) {
-        ASSERT_EQ(mesh.shaded_vertices[s[j]], t[j]) << name;
-        ASSERT_NEAR(mesh.normals[s[j]].norm(), 1.0, 1e-12) << name;
-        worst = std::min(worst, facet.dot(mesh.normals[s[j]]));
-      }
-    }
+    const testing::Shading found = testing::shading(mesh);
+    EXPECT_TRUE(found.same_corners) << name;
+    EXPECT_LT(found.length_error, 1e-12) << name;
     // The normal of a facet and the surface normals at its corners differ at most by the change of
     // direction across the facet. This change is at most 0.26 rad along the section and 0.26 rad
     // between two levels.
-    EXPECT_GT(worst, std::cos(2 * 0.26)) << name;
+    EXPECT_GT(found.least_cosine, std::cos(2 * 0.26)) << name;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/cad/testing/outline_distance.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "gearwright/cad/brep.hpp"
@@ -82,20 +83,32 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
   }
 }
 
-// Returns only one spur, one helical and one internal gear and two double-helical gears, because a
-// kernel needs seconds for each check.
-std::vector<ModifiedGear> solid_gears() {
-  std::vector<ModifiedGear> all = modified_gears(4.0);
-  all.erase(all.begin() + 2, all.begin() + 4);
-  std::vector<ModifiedGear> halves = testing::modified_double_helical_gears();
-  all.push_back(std::move(halves[0]));
-  all.push_back(std::move(halves[1]));
-  return all;
+struct Solid {
+  ModifiedGear gear;
+  Read read;
+};
+
+// Only one spur, one helical and one internal gear and two double-helical gears, because a kernel
+// needs seconds to read and to check each of them.
+const std::vector<Solid>& solids() {
+  static const std::vector<Solid> read_once = [] {
+    std::vector<ModifiedGear> gears = modified_gears(4.0);
+    gears.erase(gears.begin() + 2, gears.begin() + 4);
+    std::vector<ModifiedGear> halves = testing::modified_double_helical_gears();
+    gears.push_back(std::move(halves[0]));
+    gears.push_back(std::move(halves[1]));
+    std::vector<Solid> all;
+    for (ModifiedGear& g : gears) {
+      Read r = read(g);
+      all.push_back({std::move(g), std::move(r)});
+    }
+    return all;
+  }();
+  return read_once;
 }
 
 TEST(StepModified, solids_are_valid_closed_and_of_the_computed_volume) {
-  for (const ModifiedGear& g : solid_gears()) {
-    const Read r = read(g);
+  for (const auto& [g, r] : solids()) {
     ASSERT_EQ(r.step.refusals, 0) << g.name;
     ASSERT_EQ(r.step.solids.size(), 1u) << g.name;
     const TopoDS_Solid& solid = r.step.solids.front();
@@ -139,8 +152,7 @@ TEST(StepModified, gears_of_one_solid_keep_their_modifications) {
 }
 
 TEST(StepModified, edges_lie_on_their_faces) {
-  for (const ModifiedGear& g : solid_gears()) {
-    const Read r = read(g);
+  for (const auto& [g, r] : solids()) {
     double worst = 0.0;
     int looked = 0;
     for (TopExp_Explorer f(r.step.shape, TopAbs_FACE); f.More() && looked < 60;

@@ -15,6 +15,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
+#include "gearwright/cad/testing/outline_distance.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 #include "gearwright/cad/testing/step_reader.hpp"
 

@@ -1,9 +1,7 @@
-// Determines the topology of a triangle mesh, for tests of the CAD files.
+// Determines the topology and the shading of a triangle mesh, for tests of the CAD files.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
+#include <cstddef>
 
 #include "gearwright/cad/mesh.hpp"
 
@@ -16,44 +14,15 @@ struct Topology {
   std::size_t unused = 0;  // vertices that belong to no triangle
 };
 
-inline Topology topology(const TriangleMesh& mesh) {
-  Topology result;
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> leader(mesh.vertices.size());
-  for (std::uint32_t i = 0; i < leader.size(); ++i) leader[i] = i;
-  const auto find = [&](std::uint32_t i) {
-    while (leader[i] != i) i = leader[i] = leader[leader[i]];
-    return i;
-  };
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      if (a == b) result.closed = false;
-      edges.push_back((std::uint64_t{a} << 32U) | b);
-      leader[find(a)] = find(b);
-      used[a] = true;
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) result.closed = false;
-  for (const std::uint64_t edge : edges) {
-    const std::uint64_t opposite = (edge << 32U) | (edge >> 32U);
-    if (!std::binary_search(edges.begin(), edges.end(), opposite)) result.closed = false;
-  }
-  int vertices = 0;
-  for (std::uint32_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) {
-      ++result.unused;
-      continue;
-    }
-    ++vertices;
-    if (find(i) == i) ++result.parts;
-  }
-  result.euler =
-      vertices - static_cast<int>(edges.size() / 2) + static_cast<int>(mesh.triangles.size());
-  return result;
-}
+Topology topology(const TriangleMesh& mesh);
+
+struct Shading {
+  bool same_corners = true;   // each shaded triangle has the vertices of its twin
+  double length_error = 0.0;  // greatest difference of the length of a normal from 1
+  double least_cosine = 1.0;  // least cosine between a facet's normal and one at its corners
+};
+
+/// Domain    as many triangles as shaded triangles
+Shading shading(const TriangleMesh& mesh);
 
 }  // namespace gearwright::testing
