@@ -1,0 +1,44 @@
+"""Tests results that new users misread: unknown keys with their suggestions, readings of an unknown gear, notes
+about chosen values, and headings of listings."""
+import unittest
+
+from cli import Asked, Run, raw
+
+TWO = "[gear1]\nteeth = 27\nnormal_module_mm = 2\nface_width_mm = 28\n[gear2]\nteeth = 85\n"
+ODD = ("[gear1]\nteeth = 31\n[gear1.measured]\ntip_diameter_mm = {}\nspan_mm = {{ 3 = 23.78, 4 = 32.64 }}\n"
+       "helix_angle_deg = -12.4\nhelix_angle_uncertainty_deg = 0.3\n")
+
+
+class Suggestions(Asked):
+    def test_every_unknown_key_has_a_suggestion(self):
+        message = self.refused("[gear1]\nz = 20\nm = 2\nb = 20\nbeta = 15\nx = 0.2\n", "gear1.b", "did you mean face_width_mm?",
+                               verb="gear")
+        self.assertTrue(message.endswith("also unknown here: beta (helix_angle_deg?), m (normal_module_mm?), "
+                                         "x (profile_shift?), z (teeth?)"), message)
+        message = self.refused("[search]\nratio = 3\nSF = 1.4\nSH = 1.2\npower = 22\n", "search.SF", verb="search")
+        for word in ("safety_root_min", "SH (safety_flank_min?)", "power (power_kW in [rating]?)"):
+            self.assertIn(word, message)
+
+    def test_pinion_and_wheel_are_gears_1_and_2(self):
+        self.refused("[pinion]\nteeth = 20\n[wheel]\nteeth = 40\n", "pinion", "did you mean gear1?", "wheel (gear2?)")
+
+    def test_a_deviation_in_micrometres_is_an_angle(self):
+        for key in ("crossing_um", "parallelism_mm"):
+            self.refused(TWO + f"[errors]\n{key} = 20\n", f"errors.{key}", "crossing_deg", "0.01 mm over 100 mm is 0.00573°",
+                         verb="contact")
+        self.refused(TWO + "[errors]\nparallelism = 0.02\n", "errors.parallelism", "did you mean crossing_deg?", verb="contact")
+
+    def test_a_span_is_a_reading(self):
+        self.refused("[gear1]\nteeth = 31\nspan = { 3 = 23.78 }\n", "gear1.span", "[gear1.measured]", verb="identify")
+
+    def test_a_stage_has_two_gears(self):
+        self.refused("[[stage]]\nteeth = [18, 30, 54]\nnormal_module_mm = 2\n", "stage[1].teeth", "[[drive.mesh]]", verb="drive")
+
+    def test_a_spec_is_no_verb(self):
+        run = raw("pair.toml")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("give a verb before the spec, for example gearwright run pair.toml", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
