@@ -345,6 +345,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the teeth have no backlash at this centre distance; textbook gears are computed in this way, "
      "but manufactured gears need backlash",
      "", "Give thickness allowances or a series of DIN 3967."},
+    {C::little_backlash, "little_backlash", kNote,
+     "the backlash is less than a quarter of the backlash that ISO/TR 10064-2 recommends, so the "
+     "deviations of manufactured gears may take it",
+     "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
      "in a drive with [load], K_γ of the planets under load is greater than K_γ of the rating or, "
      "without a rating, is at least 2, or a planet carries no load at any position",

@@ -40,5 +40,14 @@ class Suggestions(Asked):
         self.assertIn("give a verb before the spec, for example gearwright run pair.toml", run.stderr)
 
 
+class Values(Asked):
+    def test_a_small_backlash_is_compared_with_the_recommended_one(self):
+        tight = self.ok("pair", TWO + "[pair]\nbacklash_mm = 0.02\n")
+        self.assertEqual(tight["verdict"]["level"], "green")
+        self.assertEqual([f["code"] for f in tight["verdict"]["findings"]], ["little_backlash"])
+        self.assertIn("0.0200 mm in the normal section (ISO/TR 10064-2 recommends at least 0.", tight["verdict"]["headline"])
+        self.assertEqual(self.ok("pair", TWO + "[pair]\nbacklash_mm = 0.06\n")["verdict"]["findings"], [])
+
+
 if __name__ == "__main__":
     unittest.main()
