@@ -48,6 +48,13 @@ class Values(Asked):
         self.assertIn("0.0200 mm in the normal section (ISO/TR 10064-2 recommends at least 0.", tight["verdict"]["headline"])
         self.assertEqual(self.ok("pair", TWO + "[pair]\nbacklash_mm = 0.06\n")["verdict"]["findings"], [])
 
+    def test_corrections_of_flanks_without_crowning_centre_the_pattern(self):
+        """The position of the first contact is at an end of the face before and after the correction, because the
+        flanks have no crowning. The contact pattern moves from the end to the middle."""
+        result = self.ok("compensate", TWO + "[pair]\nbacklash_mm = 0.2\n[errors]\ncrossing_deg = 0.0115\n")["compensate"]
+        self.assertGreater(abs(result["before"]["pattern_along_face"]), 0.5)
+        self.assertLess(abs(result["after"]["pattern_along_face"]), 0.02)
+
 
 if __name__ == "__main__":
     unittest.main()
