@@ -41,6 +41,15 @@ class Suggestions(Asked):
 
 
 class Values(Asked):
+    def test_a_calliper_over_odd_teeth_reads_less(self):
+        """The gear has a tip diameter of 101.94 mm. Over its 31 teeth, a calliper reads about 101.8 mm."""
+        out = Run("identify", ODD.format(101.70)).out
+        self.assertRegex(out, r"the tip is worn, or the reading\s+is a dimension over the tips")
+        self.assertRegex(out, r"reads up to 0\.262 mm less")
+        self.assertNotIn("dimension over the tips", Run("identify", ODD.format(101.95)).out)
+        worn = Run("identify", ODD.format(101.60)).out
+        self.assertNotIn("dimension over the tips", worn)
+
     def test_a_small_backlash_is_compared_with_the_recommended_one(self):
         tight = self.ok("pair", TWO + "[pair]\nbacklash_mm = 0.02\n")
         self.assertEqual(tight["verdict"]["level"], "green")
