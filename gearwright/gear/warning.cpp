@@ -269,8 +269,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,
-     "the height or the number of teeth of a rack is not given; the message gives the value that "
-     "pictures and files use"},
+     "the height or the number of teeth of a rack is not given, or its whole teeth are shorter "
+     "than the given length; the message gives the value that pictures and files use"},
     {C::default_cutter, "default_cutter", kNote,
      "an internal gear has no `cut_by`, so a default cutter generates its fillets; the message "
      "gives the number of teeth of the cutter"},

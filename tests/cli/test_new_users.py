@@ -57,6 +57,12 @@ class Values(Asked):
         self.assertIn("0.0200 mm in the normal section (ISO/TR 10064-2 recommends at least 0.", tight["verdict"]["headline"])
         self.assertEqual(self.ok("pair", TWO + "[pair]\nbacklash_mm = 0.06\n")["verdict"]["findings"], [])
 
+    def test_a_rack_shorter_than_its_space_is_reported(self):
+        rack = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\n[gear2]\nform = \"rack\"\nheight_mm = 9\nlength_mm = {}\n"
+        notes = [w["message"] for w in self.ok("pair", rack.format(300))["warnings"]]
+        self.assertEqual(notes, ["The rack has 47 whole teeth and is 295.31 mm long, which is 4.69029 mm less than the given length."])
+        self.assertEqual(self.ok("pair", rack.format(295.3097094374406))["warnings"], [])
+
     def test_corrections_of_flanks_without_crowning_centre_the_pattern(self):
         """The position of the first contact is at an end of the face before and after the correction, because the
         flanks have no crowning. The contact pattern moves from the end to the middle."""
