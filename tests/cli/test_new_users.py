@@ -2,7 +2,7 @@
 about chosen values, and headings of listings."""
 import unittest
 
-from cli import Asked, Run, raw
+from cli import PAIR, Asked, Run, raw
 
 TWO = "[gear1]\nteeth = 27\nnormal_module_mm = 2\nface_width_mm = 28\n[gear2]\nteeth = 85\n"
 ODD = ("[gear1]\nteeth = 31\n[gear1.measured]\ntip_diameter_mm = {}\nspan_mm = {{ 3 = 23.78, 4 = 32.64 }}\n"
@@ -69,6 +69,34 @@ class Values(Asked):
         result = self.ok("compensate", TWO + "[pair]\nbacklash_mm = 0.2\n[errors]\ncrossing_deg = 0.0115\n")["compensate"]
         self.assertGreater(abs(result["before"]["pattern_along_face"]), 0.5)
         self.assertLess(abs(result["after"]["pattern_along_face"]), 0.02)
+
+
+class Listings(unittest.TestCase):
+    def test_a_search_names_its_order_and_the_next_command(self):
+        search = "[search]\nratio = [3, 3.1]\nmodules_mm = 2\npinion_teeth = 20\n"
+        out = Run("search", search).out
+        self.assertIn("Designs are ranked by contact ratio.", out)
+        self.assertIn("--take NUMBER > pair.toml", out)
+        out = Run("search", '[search]\nkind = "planetary"\nratio = 5\nring_teeth = 72\n').out
+        self.assertIn("Designs are ranked by efficiency.", out)
+        self.assertIn("--take NUMBER > drive.toml", out)
+
+    def test_loads_use_the_unit_of_contact(self):
+        out = Run("load", TWO + '[load]\ntorque_Nm = 100\naccuracy = "draft"\npositions = 4\nslices = 4\n').out
+        self.assertRegex(out, r"Harmonics 1 to \d, amplitudes  +[0-9., ]+ ″\n")
+        self.assertIn("the first is for gear 1", out)
+
+    def test_a_train_has_no_carrier(self):
+        train = "[[stage]]\nteeth = [18, 54]\nnormal_module_mm = 2\ntorque_Nm = 10\nspeed_rpm = 100\n"
+        out = Run("drive", train).out
+        self.assertNotIn("carrier", out)
+        self.assertNotIn("planet", out)
+        self.assertIn("relative to", Run("drive", "[planetary]\nsun = 18\nring = 72\nplanets = 3\n").out)
+
+    def test_a_report_without_a_title_names_the_gears(self):
+        run = Run("run", PAIR.replace('title = "helical pair"\n', ""), "--only", "report")
+        page = (run.folder / "case_out" / "report.html").read_text()
+        self.assertIn("<h1>Gear pair 17 / 43</h1>", page)
 
 
 if __name__ == "__main__":
