@@ -40,6 +40,13 @@ class Suggestions(Asked):
         self.assertIn("give a verb before the spec, for example gearwright run pair.toml", run.stderr)
 
 
+    def test_a_file_has_the_ending_of_its_option(self):
+        run = Run("export", PAIR, "--step", "pair.stl")
+        self.assertEqual((run.status, run.files()), (2, ["case.toml"]))
+        self.assertIn("use --stl", run.err)
+        self.assertEqual(Run("export", PAIR, "--dxf", "pair.DXF").status, 0)
+
+
 class Values(Asked):
     def test_a_calliper_over_odd_teeth_reads_less(self):
         """The gear has a tip diameter of 101.94 mm. Over its 31 teeth, a calliper reads about 101.8 mm."""
