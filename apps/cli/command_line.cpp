@@ -286,6 +286,12 @@ void CommandLine::add_others() {
 }
 
 int CommandLine::unknown_verb(const std::string& word) const {
+  for (const char* ending : {".toml", ".json", ".rexs", ".rexsj", ".rexsz"})
+    if (word.ends_with(ending))
+      return usage(
+          fmt::format("there is no verb {0}; give a verb before the spec, for example "
+                      "gearwright run {0}",
+                      printable(word, 60)));
   std::string best;
   std::string all;
   std::size_t least = std::max<std::size_t>(2, word.size() / kLettersOff + 1);

@@ -231,7 +231,7 @@ std::string running(const Drive& drive) {
   const ParallelPair* pair = drive.geometry.involutes(*tight);
   if (!pair) return text + fmt::format(" There is no backlash in the mesh {}.", name);
   const CylindricalSpec& spec = pair->gears[0].spec;
-  const double recommended = recommended_backlash(least);
+  const double recommended = least.recommended();
   // If both gears get the same allowance E_sn, j_bn changes by −2 (E_sn − mean) cos α_n, where
   // `mean` is the mean of the present allowances. The normal backlash is j_n = j_bn/cos α_wn.
   const double per_allowance =

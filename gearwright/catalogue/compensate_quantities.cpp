@@ -212,6 +212,15 @@ const Quantities<ContactScore>& score_quantities() {
         .or_null()
         .unit(Unit::percent)
         .digits(1);
+    q.number(
+         "pattern_along_face", "middle of the contact pattern along the face", "q",
+         "mean position, ±1 at the ends, of the flank areas whose gap is small; unlike "
+         "`contact_along_face`, it has no jump for flanks without crowning, and the corrections "
+         "minimise it [T8.24]",
+         &S::pattern_middle)
+        .or_null()
+        .unit(Unit::percent)
+        .digits(1);
     q.number("contact_along_profile", "contact offset along the profile", "",
              "mean position, ±1 at the ends [T8.24]", &S::along_profile)
         .or_null()

@@ -235,7 +235,8 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
     q.number("relative_speed_ratio", "speed ratio relative to the carrier", "",
              "speed ratio of the body minus the speed ratio of the carrier in whose frame the body "
              "meshes; equal to the speed ratio if the body meshes in the frame of the housing",
-             [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
+             [](const V& v) { return v.drive->relative_speed_ratio(v.body); })
+        .shown([](const V& v) { return !v.drive->sets.empty(); });
     const auto turns = [](const V& v) { return !v.drive->graph.moves(v.body); };
     q.term("speed_rpm", "absolute speed; null for a rack", [turns](const V& v) -> Value {
       return turns(v) ? Value(v.drive->speed_rpm(v.body)) : Value();

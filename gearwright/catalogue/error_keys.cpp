@@ -103,7 +103,7 @@ const KeyTable& error_keys() {
                                    }),
                                    "0", e.meaning)
                            .with_fields({e.member()}));
-      if (e.kind == ErrorKind::crossing) t.keys.back().also = {"misalignment"};
+      if (e.kind == ErrorKind::crossing) t.keys.back().also = {"misalignment", "parallelism"};
     }
     return t;
   }();

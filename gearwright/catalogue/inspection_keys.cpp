@@ -119,7 +119,8 @@ const KeyTable& measured_keys() {
        Key::positive("over_balls_uncertainty_mm", "", &I::balls_uncertainty, "0.02",
                      "uncertainty of each dimension over balls"),
        Key::positive("tip_diameter_mm", "d_a", {&I::tip, &MaybeReading<double>::value}, "",
-                     "tip diameter; the tip may be worn"),
+                     "tip diameter; the tip may be worn. Over the tips of an odd number of teeth, "
+                     "a calliper reads up to d_a/2 (1 − cos(180°/z)) less than the tip diameter"),
        Key::positive("tip_diameter_uncertainty_mm", "",
                      {&I::tip, &MaybeReading<double>::uncertainty}, "0.02",
                      "uncertainty of the tip diameter, not including wear"),

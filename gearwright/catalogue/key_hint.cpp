@@ -237,29 +237,38 @@ std::string folded(std::string_view name) {
   return text;
 }
 
-std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key) {
+std::optional<std::string> similar_key(const KeyTable& table, std::string_view path,
+                                       std::string_view key) {
   const Word word = word_of(key.substr(0, kLongest));
-  const auto nearest = [](std::string_view what) { return fmt::format("did you mean {}?", what); };
-  if (word.bare.empty()) return "the known keys of this table are " + listed(table);
+  if (word.bare.empty()) return std::nullopt;
   if (const Key* here = called(table, word, by_symbol, true)) {
     // If the similar key is a table, a key inside this table may also be similar. In this case, the
     // function suggests the key inside the table.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))
-        return nearest(fmt::format("{} in [{}]", inside->key, joined_path(path, here->key)));
+        return fmt::format("{} in [{}]", inside->key, joined_path(path, here->key));
     }
-    return nearest(here->key);
+    return std::string(here->key);
   }
-  // The key may be a table at the top level of the file.
+  if (const Key* slip = nearly_called(table, word, kSlipOff)) return std::string(slip->key);
+  if (const auto other = called_elsewhere(table, path, key, word)) return other;
+  if (const Key* like = of_like_words(table, key.substr(0, kLongest)))
+    return std::string(like->key);
+  if (const Key* part = with_part(table, word)) return std::string(part->key);
+  if (const Key* near = nearly_called(table, word, kLettersOff)) return std::string(near->key);
+  return std::nullopt;
+}
+
+std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key) {
+  // The key may be a table at the top level of the file. Another name of a key of this table
+  // precedes it.
+  const bool here = called(table, word_of(key.substr(0, kLongest)), by_symbol, true) != nullptr;
   for (const Key& table_key : spec_keys().keys)
-    if (!path.empty() && is_table(table_key) && table_key.key == key)
+    if (!path.empty() && is_table(table_key) && table_key.key == key && !here)
       return fmt::format("[{}] is a separate table and not a part of [{}]", key, path);
-  if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
-  if (const auto other = called_elsewhere(table, path, key, word)) return nearest(*other);
-  if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);
-  if (const Key* part = with_part(table, word)) return nearest(part->key);
-  if (const Key* near = nearly_called(table, word, kLettersOff)) return nearest(near->key);
+  if (const auto similar = similar_key(table, path, key))
+    return fmt::format("did you mean {}?", *similar);
   return "the known keys of this table are " + listed(table);
 }
 

@@ -10,12 +10,18 @@
 // If no key is similar, the message lists the keys of the table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "gearwright/catalogue/key.hpp"
 
 namespace gearwright {
+
+/// Returns the known key that an unknown key probably means, for example "diameter_mm in
+/// [gear1.bore]". Returns none if no key is similar.
+std::optional<std::string> similar_key(const KeyTable& table, std::string_view path,
+                                       std::string_view key);
 
 /// Returns the text after "unknown key in [gear1]; ", for example "did you mean normal_module_mm?".
 /// `path` is the name of the table, for example "gear1.rack". It is empty for the file itself.

@@ -90,6 +90,13 @@ TEST(KeyHint, a_misalignment_of_the_errors_is_a_shaft_deviation) {
   EXPECT_EQ(key_hint(error_keys(), "errors", "misalignment_um"), nearest("crossing_deg"));
 }
 
+TEST(KeyHint, a_gear_by_its_name_is_a_table_of_the_spec) {
+  EXPECT_EQ(similar_key(spec_keys(), "", "pinion"), "gear1");
+  EXPECT_EQ(similar_key(spec_keys(), "", "wheel"), "gear2");
+  EXPECT_EQ(similar_key(search_keys(), "search", "SF"), "safety_root_min");
+  EXPECT_EQ(similar_key(gear_keys(), "gear1", "xylophone"), std::nullopt);
+}
+
 TEST(KeyHint, micrometres_are_no_diametral_pitch) {
   EXPECT_EQ(key_hint(error_keys(), "errors", "pitch_um").find("diametral"), std::string::npos);
 }

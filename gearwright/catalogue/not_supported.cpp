@@ -49,6 +49,16 @@ constexpr std::string_view kOutputTorque =
 constexpr std::string_view kHorsepower =
     "is not a key; give the power by power_kW, which is 0.7457 times the power in hp";
 
+constexpr std::string_view kReading =
+    "is not a key of a gear; give a reading of an unknown gear in [gear1.measured], for example "
+    "span_mm = { 3 = 19.751 }, and the limits of the span of a drawing by span_mm in "
+    "[gear1.tolerance]";
+constexpr std::string_view kDeviation =
+    "is not a key; give the deviation of the axes as an angle, by crossing_deg if the axes cross "
+    "or "
+    "by intersecting_deg if they are inclined in their common plane. A deviation of 0.01 mm over "
+    "100 mm is 0.00573°";
+
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
      "is not allowed, because a spec of a pair has at most two gears, [gear1] and [gear2]; "
@@ -76,6 +86,16 @@ constexpr auto kRows = std::to_array<Row>({
     {"compensate.aim", "\"percentile\"",
      "is not an aim of [compensate], which uses given errors. To minimise a percentile over the "
      "tolerances of [scatter], give [scatter.robust] with percentile = 95"},
+    {"errors.crossing_um", "", kDeviation},
+    {"errors.crossing_mm", "", kDeviation},
+    {"errors.intersecting_um", "", kDeviation},
+    {"errors.intersecting_mm", "", kDeviation},
+    {"errors.misalignment_um", "", kDeviation},
+    {"errors.misalignment_mm", "", kDeviation},
+    {"errors.parallelism_um", "", kDeviation},
+    {"errors.parallelism_mm", "", kDeviation},
+    {"gear#.span", "", kReading},
+    {"gear#.span_mm", "", kReading},
     {"*.herringbone", "", kTwoHalves},
     {"gear#.double_helical", "true", kTwoHalves},
     {"stage[#].gears[#].form", "\"rack\"",

@@ -28,6 +28,12 @@ TEST(NotSupported, a_power_in_hp_is_converted) {
               "is not a key; give the power by power_kW, which is 0.7457 times the power in hp");
 }
 
+TEST(NotSupported, a_deviation_of_the_axes_is_converted) {
+  for (const char* key : {"errors.crossing_um", "errors.misalignment_mm", "errors.parallelism_um"})
+    EXPECT_NE(not_supported(key).find("0.01 mm over 100 mm is 0.00573°"), std::string::npos) << key;
+  EXPECT_TRUE(not_supported("errors.crossing_deg").empty());
+}
+
 TEST(NotSupported, a_value_may_be_refused_where_the_key_is_known) {
   EXPECT_FALSE(not_supported("gear1.teeth", "0").empty());
   EXPECT_FALSE(not_supported("compensate.aim", "\"percentile\"").empty());

@@ -257,11 +257,11 @@ const KeyTable& rating_keys() {
        Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
                      "none; the value 1 is used for results that need a required safety",
                      "required safety of the flanks")
-           .with_also({"sh_min", "safety_flank"}),
+           .with_also({"sh", "sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
                      "none; the value 1 is used for results that need a required safety",
                      "required safety of the roots")
-           .with_also({"sf_min", "safety_root"}),
+           .with_also({"sf", "sf_min", "safety_root"}),
        Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "
                  "also computed, as in `load`. The positions, slices and accuracy are those of "

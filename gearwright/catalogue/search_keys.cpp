@@ -315,11 +315,11 @@ std::vector<Key> limit_keys() {
             "least permitted safety against pitting of both gears at the profile shifts of the "
             "design, "
             "computed as in `rate` with `[rating]` and `[gearN.material]`")
-          .with_also({"sh_min", "safety_flank"}),
+          .with_also({"sh", "sh_min", "safety_flank"}),
       limit("safety_root_min", "S_Fmin", KeyRange::positive(), &SearchLimits::safety_root,
             "value of `[rating]` if designs are rated; other designs have no limit",
             "least permitted safety against root breakage of both gears")
-          .with_also({"sf_min", "safety_root"}),
+          .with_also({"sf", "sf_min", "safety_root"}),
       Key::flag("coprime", &SearchProblem::coprime, "false",
                 "if true, only tooth numbers without a common factor (hunting tooth) are allowed")};
 }

@@ -28,6 +28,7 @@ Key stage_key() {
 Key gear_2_key() {
   Key k = table_key("gear2", gear_keys, {}, "the second gear, or a rack if `form` = \"rack\"");
   k.tables.push_back(rack_bar_keys);
+  k.also = {"wheel"};
   return k;
 }
 
@@ -50,7 +51,7 @@ const KeyTable& spec_keys() {
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, {}, "the first gear; in an internal pair, the pinion")
-           .with_also({"gear"}),
+           .with_also({"gear", "pinion"}),
        gear_2_key(),
        table_key("pair", pair_keys,
                  KeyPlace::within<SpecTables>([](auto& tables) -> auto& { return tables.pair; }),

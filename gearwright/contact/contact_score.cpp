@@ -72,7 +72,7 @@ ContactCurve contact_curve(const ContactPair& pair, int positions, const Profile
     middle += pattern_middle(transmission, t, faces);
     ++n;
   }
-  if (n > 0) c.score.pattern_middle = without_rounding(middle / n, kNoPlace);
+  if (n > 0) c.score.pattern_middle = without_rounding(pair.turned() * middle / n, kNoPlace);
   if (c.score.lost) return c;
   if (pair.gear2_drives()) std::reverse(touches.begin(), touches.end());  // as in one_pitch()
   c.score.span =

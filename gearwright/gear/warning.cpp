@@ -269,8 +269,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,
-     "the height or the number of teeth of a rack is not given; the message gives the value that "
-     "pictures and files use"},
+     "the height or the number of teeth of a rack is not given, or its whole teeth are shorter "
+     "than the given length; the message gives the value that pictures and files use"},
     {C::default_cutter, "default_cutter", kNote,
      "an internal gear has no `cut_by`, so a default cutter generates its fillets; the message "
      "gives the number of teeth of the cutter"},
@@ -344,6 +344,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::no_backlash, "no_backlash", kNote,
      "the teeth have no backlash at this centre distance; textbook gears are computed in this way, "
      "but manufactured gears need backlash",
+     "", "Give thickness allowances or a series of DIN 3967."},
+    {C::little_backlash, "little_backlash", kNote,
+     "the backlash is less than a quarter of the backlash that ISO/TR 10064-2 recommends, so the "
+     "deviations of manufactured gears may take it",
      "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
      "in a drive with [load], K_γ of the planets under load is greater than K_γ of the rating or, "

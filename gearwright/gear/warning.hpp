@@ -128,6 +128,7 @@ enum class WarningCode {
   power_against_input,
   // Information about the backlash of a pair or a mesh.
   no_backlash,
+  little_backlash,
   // A load of the rating that differs from a computed load.
   mesh_load_factor,
   // A rack that is not given.

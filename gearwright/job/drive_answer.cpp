@@ -92,11 +92,16 @@ std::string force_listing(const Drive& drive, UnitSystem units) {
   if (!drive.graph.torque_Nm) return "";
   const auto in_mesh = [&](std::size_t m) { return mesh_forces(drive, m).has_value(); };
   const auto on_body = [&](std::size_t b) { return body_forces(drive, b).has_value(); };
-  return rows_of(units, "\nForces of the teeth on the first gear of each mesh, for one planet\n",
-                 drive_mesh_quantities(), drive, drive.graph.meshes, in_mesh,
+  const bool planets = !drive.sets.empty();
+  const char* const meshes =
+      planets ? "\nForces of the teeth on the first gear of each mesh, for one planet\n"
+              : "\nForces of the teeth on the first gear of each mesh\n";
+  const char* const bodies =
+      planets ? "\nForces of all teeth on each body; each planet has the force of its row\n"
+              : "\nForces of all teeth on each body\n";
+  return rows_of(units, meshes, drive_mesh_quantities(), drive, drive.graph.meshes, in_mesh,
                  {"tangential_force_N", "separating_force_N", "axial_force_N"}) +
-         rows_of(units, "\nForces of all teeth on each body, for one planet\n",
-                 drive_body_quantities(), drive, drive.graph.bodies, on_body,
+         rows_of(units, bodies, drive_body_quantities(), drive, drive.graph.bodies, on_body,
                  {"radial_force_N", "axial_force_N", "tilting_moment_Nm"});
 }
 

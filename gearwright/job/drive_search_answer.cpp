@@ -116,6 +116,9 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         "{} sets were not computed, because at most {} sets are computed for each module.\n",
         designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + wrapped(sentence_in(units, advice(f)));
+  const auto first = static_cast<std::size_t>(f.problem.objectives.front());
+  text += fmt::format("Designs are ranked by {}{}.\n", kDriveObjectiveNames[first],
+                      designs.pareto.empty() ? "" : "; designs on the Pareto front come first");
   if (!f.problem.base.series.empty())
     text += fmt::format("All gears have the mean thickness allowances of series {} (DIN 3967).\n",
                         f.problem.base.series);
@@ -152,6 +155,8 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         "  … {} more designs; --json lists all of them, --top N computes more, --take N "
         "writes the spec of one design",
         designs.list.size() - kListedDrives));
+  else
+    text += "\nThe option --take NUMBER > drive.toml writes the spec of a design.\n";
   return text;
 }
 

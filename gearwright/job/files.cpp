@@ -322,7 +322,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   std::vector<JobFile> files = std::move(shapes).take();
 
   ReportInput report;
-  report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
+  report.title = job.spec.title;
   report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.halves = job.halves;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
@@ -111,9 +112,19 @@ std::string tip_fact(const IdentifiedGear& g, double measured) {
   switch (g.tip) {
     case TipReading::none:
     case TipReading::as_drawn: return "";
-    case TipReading::worn:
-      return fmt::format("The tip diameter is {:.3f} mm instead of {}, so the tip is worn.",
-                         measured, nominal);
+    case TipReading::worn: {
+      const std::string fact = fmt::format(
+          "The tip diameter is {:.3f} mm instead of {}, so the tip ", measured, nominal);
+      // Over an odd number of teeth, a tip and the middle between two tips are opposite each other.
+      const double most = g.nominal_tip_diameter / 2 * (1 - std::cos(std::numbers::pi / g.teeth));
+      if (g.teeth < 0 || g.teeth % 2 == 0 || g.nominal_tip_diameter - measured > most)
+        return fact + "is worn.";
+      return fact + fmt::format(
+                        "is worn, or the reading is a dimension over the tips. For this odd number "
+                        "of teeth, a calliper over the tips reads up to {:.3f} mm less than the "
+                        "tip diameter; twice the distance from the bore axis to a tip is exact.",
+                        most);
+    }
     case TipReading::shortened:
       return fmt::format(
           "The tip diameter is {:.3f} mm instead of {}, so the tip is shortened or badly worn; the "

@@ -90,8 +90,7 @@ std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadReg
   for (std::size_t k = 0; k < std::min<std::size_t>(5, torque.harmonics.size()); ++k)
     waves.push_back(fixed_decimals(torque.harmonics[k].arcsec(), 4));
   if (!waves.empty())
-    out +=
-        fmt::format("  {:<42}{} arcsec\n", "Harmonics 1 to 5, amplitudes", fmt::join(waves, ", "));
+    out += fmt::format("  {:<42}{} ″\n", "Harmonics 1 to 5, amplitudes", fmt::join(waves, ", "));
   return out;
 }
 
@@ -133,7 +132,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   const auto views = torque_views(*answer.contact, answer.standard);
   for (std::size_t i = 0; i < views.size(); ++i) {
     out += listing_of(units, load_torque_quantities(), views[i]) +
-           noise_rows(job, *views[i].torque, answer.contact->regime);
+           noise_rows(job, *views[i].torque, answer.contact->regime) +
+           "  If a row has two values, the first is for gear 1.\n";
     if (!answer.halves.empty()) {
       std::vector<LoadTorqueView> halves;
       for (const LoadAnalysis& half : answer.halves)

@@ -233,6 +233,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
   for (const auto& [line, is_change] : reasons_of(p, run, units))
     text += is_change ? line + "\n" : wrapped(line);  // a change stays on one line
   if (a.counts.feasible == 0) return text;
+  text += wrapped(fmt::format("Designs are ranked {}.", order_in_words(p)));
   ListingColumn ranks;
   ListingColumn places{"profile shifts", "profile shifts", "", {}, true};
   std::vector<ValueRecord> records;
@@ -275,6 +276,8 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
         fmt::format("  … {} more designs; --out DIR writes all of them, and --take N writes one "
                     "design as the spec of a pair",
                     a.counts.feasible - static_cast<std::int64_t>(most)));
+  } else {
+    text += "\nThe option --take NUMBER > pair.toml writes the spec of a design.\n";
   }
   return text;
 }

@@ -104,6 +104,12 @@ void note_defaults(RackPair& p) {
          fmt::format(
              "The number of teeth of the rack is not given; pictures and files contain {} teeth.",
              rack.teeth));
+  if (rack.bar.space && *rack.bar.space - *rack.length() > kNoLength * rack.normal_module)
+    warn(p, WarningCode::default_rack_body, 2,
+         fmt::format("The rack has {} whole teeth and is {} mm long, which is {} mm less than the "
+                     "given length.",
+                     rack.teeth, format_number(*rack.length()),
+                     format_number(*rack.bar.space - *rack.length())));
   if (!rack.bar.height)
     warn(p, WarningCode::default_rack_body, 2,
          fmt::format(

@@ -26,6 +26,7 @@ namespace gearwright {
 /// A rack as a part. The teeth have the profile of the basic rack of the pinion.
 struct RackBar {
   std::optional<int> teeth{};            ///< n; if absent, see RackGeometry::teeth
+  std::optional<double> space{};         ///< mm, length in which these whole teeth fit, if given
   std::optional<double> face_width{};    ///< b    mm; by default the face width of the pinion
   std::optional<double> height{};        ///< mm, from the back of the rack to the datum line; by
                                          ///< default dedendum + 3 modules

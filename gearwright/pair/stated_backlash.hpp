@@ -21,6 +21,18 @@ struct StatedBacklash {
   double normal_module;    ///< m_n       mm
   bool none() const { return std::abs(normal) < no_backlash(normal_module); }
   bool negative() const { return normal <= -no_backlash(normal_module); }
+  /// The smallest recommended j_n for iron or steel gears in an iron or steel housing, at speeds
+  /// below 15 m/s.
+  ///
+  /// Formula   j_n = j_bn/cos α_wn, j_bn = 2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996,
+  ///           annex A
+  /// Units     mm
+  double recommended() const {
+    return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module) / cos_angle;
+  }
+  /// True if there is a backlash, but less than a quarter of the recommended one. The pitch, helix
+  /// and runout deviations of a gear of grade 8 can take so much backlash.
+  bool little() const { return !none() && !negative() && normal < 0.25 * recommended(); }
 };
 
 }  // namespace gearwright

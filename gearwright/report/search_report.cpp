@@ -42,21 +42,6 @@ std::string kind_of(const SearchProblem& problem, UnitSystem units) {
   return kind;
 }
 
-// Returns the order of the designs in words. For one objective, this is "by contact ratio". For
-// several objectives, it is "by size; the designs on the Pareto front over size and contact ratio
-// come first".
-std::string order_in_words(const SearchProblem& problem) {
-  const auto& objectives = problem.objectives;
-  std::string text = fmt::format("by {}", words_of(objectives[0]).name);
-  if (objectives.size() == 1) return text;
-  text += "; the designs on the Pareto front over ";
-  for (std::size_t i = 0; i < objectives.size(); ++i) {
-    const char* before = i == 0 ? "" : i + 1 == objectives.size() ? " and " : ", ";
-    text += fmt::format("{}{}", before, words_of(objectives[i]).name);
-  }
-  return text + " come first";
-}
-
 std::string rejected_table(const SearchCounts& counts) {
   if (counts.tested == counts.feasible) return {};
   std::vector<std::vector<std::string>> rows;

@@ -252,6 +252,18 @@ ObjectiveWords words_of(Objective objective) {
   contract_failed("postcondition", "known objective", __FILE__, __LINE__);
 }
 
+std::string order_in_words(const SearchProblem& problem) {
+  const auto& objectives = problem.objectives;
+  std::string text = fmt::format("by {}", words_of(objectives[0]).name);
+  if (objectives.size() == 1) return text;
+  text += "; the designs on the Pareto front over ";
+  for (std::size_t i = 0; i < objectives.size(); ++i) {
+    const char* before = i == 0 ? "" : i + 1 == objectives.size() ? " and " : ", ";
+    text += fmt::format("{}{}", before, words_of(objectives[i]).name);
+  }
+  return text + " come first";
+}
+
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective) {
   // cost() has a value only for a design with a rank, which is a balanced design. The figure also

@@ -69,6 +69,11 @@ struct ObjectiveWords {
 };
 ObjectiveWords words_of(Objective objective);
 
+/// Returns the order of the designs in words. For one objective, this is "by contact ratio". For
+/// several objectives, it is "by size; the designs on the Pareto front over size and contact ratio
+/// come first".
+std::string order_in_words(const SearchProblem& problem);
+
 /// Returns the value of the objective for any design, ranked or not. Returns none for the specific
 /// sliding |ζ| if a flank reaches its base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,

@@ -164,6 +164,13 @@ StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
          {"teeth", "normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
           "face_width_mm", "profile_shift", "thickness_allowance_mm", "bore_mm", "material"})
       t.refuse(key, "must be in the tables of the gears, because each gear has its own keys");
+  constexpr std::size_t kPair = 2;
+  if (const Json* teeth = t.any("teeth"); teeth && teeth->is_array() && teeth->size() > kPair)
+    t.fail(
+        "teeth",
+        "must be two numbers, because a stage is one pair of gears; give each pair its own "
+        "[[stage]]. The gears of two stages that are on one shaft, as in [18, 30] and [30, 54], "
+        "can be a single idler. A gear with two meshes is a [[drive.gear]] in two [[drive.mesh]]");
   StageInput in;
   t.read(in);
   PairStage& pair = in.stage.pair;

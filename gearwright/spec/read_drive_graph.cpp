@@ -184,6 +184,7 @@ void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar) 
            fmt::format("must be between {} mm and {} mm, the lengths of 1 and of 100 000 teeth",
                        format_number(*pitch), format_number(kMost * *pitch)));
   bar.teeth = static_cast<int>(teeth);
+  bar.space = *length;
 }
 
 void refuse_in_drive(const Json& node, const std::string& path) {

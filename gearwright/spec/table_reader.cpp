@@ -172,6 +172,7 @@ void TableReader::refuse(const std::string& key, const std::string& why) {
 bool TableReader::given(std::string_view key) const { return node_.contains(std::string(key)); }
 
 void TableReader::refuse_unknown() const {
+  constexpr std::size_t kNamed = 6;  // greatest number of further keys that a message names
   std::optional<Error> error;
   std::vector<std::string> others;
   for (const auto& [key, value] : node_.items()) {
@@ -181,7 +182,10 @@ void TableReader::refuse_unknown() const {
     if (!instead.empty()) throw SpecError{{name(key), shown(value), std::string(instead)}};
     const std::string called = key.empty() ? "\"\"" : printable(key, 60);
     if (error) {
-      others.push_back(called);
+      // Comparisons are limited to the keys that the message names.
+      const auto similar =
+          others.size() < kNamed ? similar_key(keys_, path_, key) : std::optional<std::string>();
+      others.push_back(similar ? fmt::format("{} ({}?)", called, *similar) : called);
     } else {
       const KeyUnit* const inch = keys_.find(metric_key(key)) ? inch_unit(key) : nullptr;
       const std::string hint =
@@ -198,7 +202,6 @@ void TableReader::refuse_unknown() const {
     }
   }
   if (!error) return;
-  constexpr std::size_t kNamed = 6;
   const bool more = others.size() > kNamed;
   if (more) others.resize(kNamed);
   if (!others.empty())

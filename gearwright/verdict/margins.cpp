@@ -78,12 +78,14 @@ std::vector<Finding> margin_findings(const Pair& pair) {
 }
 
 std::vector<Finding> backlash_findings(const StatedBacklash& j) {
-  if (!j.none()) return {};
-  const double recommended = recommended_backlash(j);
-  return {{WarningCode::no_backlash,
+  if (!j.none() && !j.little()) return {};
+  const double recommended = j.recommended();
+  const std::string there =
+      j.none() ? "There is no backlash" : "The backlash is only " + millimetres(j.normal);
+  return {{j.none() ? WarningCode::no_backlash : WarningCode::little_backlash,
            Level::green,
            0,
-           "There is no backlash; " + recommendation(recommended) + ".",
+           there + "; " + recommendation(recommended) + ".",
            "",
            {{"backlash", j.normal, true}, {"threshold", recommended, true}}}};
 }

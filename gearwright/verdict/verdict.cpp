@@ -24,10 +24,6 @@ Level level_of(Severity severity) {
   return Level::amber;
 }
 
-double recommended_backlash(const StatedBacklash& j) {
-  return 2.0 / 3.0 * (0.06 + 0.0005 * j.center_distance + 0.03 * j.normal_module) / j.cos_angle;
-}
-
 std::string recommendation(double recommended_backlash) {
   return fmt::format("ISO/TR 10064-2 recommends at least {:.3f} mm",
                      rounded_up(recommended_backlash, 3));
@@ -48,11 +44,14 @@ std::string reason_of(const Finding& finding, const Judged& judged) {
   return meaning_of(finding.code).reason;
 }
 
-// Returns the backlash in words. If there is no backlash, the words include the smallest
+// Returns the backlash in words. If there is little or no backlash, the words include the smallest
 // recommended backlash.
 std::string backlash_words(const StatedBacklash& j) {
-  if (!j.none()) return fmt::format("a backlash of {:.4f} mm in the normal section", j.normal);
-  return fmt::format("no backlash ({})", recommendation(recommended_backlash(j)));
+  const std::string words =
+      j.none() ? "no backlash"
+               : fmt::format("a backlash of {:.4f} mm in the normal section", j.normal);
+  if (!j.none() && !j.little()) return words;
+  return fmt::format("{} ({})", words, recommendation(j.recommended()));
 }
 
 std::string running(const ArcPair& pair) {

@@ -32,13 +32,6 @@ const char* to_string(Level level);
 /// Returns red for a problem, amber for a caution, and green for a note.
 Level level_of(Severity severity);
 
-/// Returns the smallest recommended j_n for iron or steel gears in an iron or steel housing, at
-/// speeds below 15 m/s.
-///
-/// Formula   j_n = j_bn/cos α_wn, j_bn = 2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996,
-///           annex A
-/// Units     mm
-double recommended_backlash(const StatedBacklash& j);
 /// Returns, for example, "ISO/TR 10064-2 recommends at least 0.100 mm".
 std::string recommendation(double recommended_backlash);
 

@@ -161,6 +161,24 @@ TEST(Verdict, no_backlash_is_a_note) {
   EXPECT_TRUE(judged(helical_pair()).findings.empty());
 }
 
+// The recommended backlash is 0.10677 mm, as in the previous test. A quarter of it is 0.02669 mm.
+// An allowance E_sn of gear 1 gives the backlash j_n = -E_sn at the pitch point of zero sum of shifts.
+TEST(Verdict, little_backlash_is_a_note) {
+  const auto mounted_with = [](double allowance) {
+    return judged(testing::taken(mount_as<ParallelPair>(sample_gear(20, 2, 0, 0.2, 0.0, allowance),
+                                                        sample_gear(41, 2, 0, -0.2), {})));
+  };
+  const Verdict little = mounted_with(-0.0266);
+  EXPECT_EQ(little.level, Level::green);
+  EXPECT_TRUE(finds(little, WarningCode::little_backlash, Level::green));
+  EXPECT_FALSE(finds(little, WarningCode::no_backlash, Level::green));
+  EXPECT_NE(little.headline.find("0.0266 mm in the normal section (ISO/TR 10064-2 recommends at "
+                                 "least 0.107 mm)"),
+            std::string::npos)
+      << little.headline;
+  EXPECT_TRUE(mounted_with(-0.0268).findings.empty());
+}
+
 // Published pairs: gears FZG C, and the second planetary stage of a wind turbine of 5 MW. With
 // shifts of four decimals, their nominal backlash is −0.06 µm and −0.44 µm.
 TEST(Verdict, published_pairs_with_rounded_shifts_run) {
