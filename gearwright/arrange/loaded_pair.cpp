@@ -236,6 +236,11 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   }
   if (request.regime == LoadRegime::point)
     if (auto error = not_for_points(input)) return *error;
+  // A gear that is displaced along its axis carries load on the face that it shares with the other
+  // gear. The displacement is left out if there are shafts, whose bearings are not displaced, and
+  // for the halves of double-helical gears, which share their slices.
+  if (request.regime == LoadRegime::line && !half && !request.shafts[0] && !request.shafts[1])
+    request.middle[0] += pair.turned() * errors.axial;
   for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
   request.positions = input.positions;
   request.rotations = input.rotations;
