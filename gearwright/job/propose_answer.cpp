@@ -105,11 +105,13 @@ Result<const PairCompliance*> find_effects(Proposal& p, SolvedJob& job, LoadTask
   return solved->compliance;
 }
 
-// Returns the load task of a job, without root stress.
+// Returns the load task of a job over a whole pitch, without root stress. At single rotations, the
+// transmission error would have no peak to peak, and loaded edges would be missed.
 Result<LoadTask> quick_task(SolvedJob& job) {
   auto made = load_task(job);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
+  task.request.rotations.clear();
   task.request.root_stress = false;
   return task;
 }
