@@ -15,34 +15,16 @@ Result<FaceLoads> FaceLoads::of(const Arranged& arranged, const ContactErrors& e
                                 std::vector<Warning>& notes, Progress* progress) {
   input.torques = {rating.torque * rating.application_factor * rating.mesh_load_factor};
   input.rotations.clear();
-  auto task = load_task(arranged, errors, input, notes);
-  if (!task) return task.error();
-  FaceLoads made(std::move(task).take(), !input.slices);
-  made.task_.request.root_stress = false;
-  made.task_.request.progress = progress;
-  auto compliance = made.task_.compliance();
+  auto made = load_task(arranged, errors, input, notes);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.root_stress = false;
+  task.request.progress = progress;
+  auto compliance = task.compliance();
   if (!compliance) return compliance.error();
-  made.resolutions_.push_back({made.task_.request.slices, std::move(compliance).take()});
-  made.task_.request.progress = nullptr;
-  return made;
-}
-
-// Returns the contact at both limits of the helix slope `deviation`, mm normal to the flank. At
-// each torque, the default numbers of slices are halved until there is a solution, as in loaded().
-Result<std::vector<LoadedContact>> FaceLoads::at_limits(double deviation) {
-  for (std::size_t i = 0;; ++i) {
-    task_.request.slices = resolutions_[i].slices;
-    auto contacts = contacts_at_limits(task_, resolutions_[i].compliance, deviation);
-    const bool too_fine =
-        std::any_of(contacts.begin(), contacts.end(),
-                    [](const LoadedContact& contact) { return contact.slices_too_fine; });
-    if (!too_fine || !default_slices_) return contacts;
-    if (i + 1 < resolutions_.size()) continue;
-    if (!halve_slices(task_.request.slices)) return contacts;
-    auto compliance = task_.compliance();
-    if (!compliance) return compliance.error();
-    resolutions_.push_back({task_.request.slices, std::move(compliance).take()});
-  }
+  task.request.progress = nullptr;
+  return FaceLoads(std::move(task),
+                   SliceResolutions(input.slices.has_value(), std::move(compliance).take()));
 }
 
 Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
@@ -55,9 +37,14 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
   const double torque = input.torque * rated->K_A.value * rated->K_gamma.value * rated->K_v.value;
   task_.request.torques = {from_newton_metres(torque)};
   double greatest = 1.0;
-  const auto limits = at_limits(f_ma * std::cos(pair.beta_b) * kMmPerUm);
+  const double deviation = f_ma * std::cos(pair.beta_b) * kMmPerUm;
+  const auto limits =
+      resolutions_.solve(task_, [&](const LoadTask& with, const PairCompliance& compliance) {
+        return contacts_at_limits(with, compliance, deviation);
+      });
   if (!limits) return limits.error();
-  for (const LoadedContact& limit : *limits) {
+  task_.request.slices = limits->slices;
+  for (const LoadedContact& limit : limits->contacts) {
     std::vector<Warning> unused;  // warnings of `load`, which apply at the limits only
     if (auto error = judge_load(task_, limit, unused)) return *error;
     const auto scores = loaded_scores(limit);

@@ -6,11 +6,10 @@
 // analysis under load, with the modifications of the flanks and the shafts.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
-#include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/arrange/slice_resolutions.hpp"
 #include "gearwright/rating/rating.hpp"
 #include "gearwright/rating/sizing.hpp"
 
@@ -37,20 +36,11 @@ class FaceLoads {
   Result<double> at(const RatedPair& pair, RatingInput input);
 
  private:
-  FaceLoads(LoadTask task, bool default_slices)
-      : task_(std::move(task)), default_slices_(default_slices) {}
-  Result<std::vector<LoadedContact>> at_limits(double deviation);
-
-  struct Resolution {
-    std::array<int, 2> slices;
-    PairCompliance compliance;
-  };
+  FaceLoads(LoadTask task, SliceResolutions resolutions)
+      : task_(std::move(task)), resolutions_(std::move(resolutions)) {}
 
   LoadTask task_;
-  bool default_slices_;  // true if the number of slices is not given
-  // The first resolution is the finest. Each further resolution has half as many slices as the
-  // previous one.
-  std::vector<Resolution> resolutions_;
+  SliceResolutions resolutions_;
 };
 
 /// Returns the greatest torque with the required safeties, N m, if K_Hβ changes with the torque.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gearwright/arrange/notes.hpp"
+#include "gearwright/arrange/slice_resolutions.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/halves.hpp"
@@ -235,6 +236,11 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   }
   if (request.regime == LoadRegime::point)
     if (auto error = not_for_points(input)) return *error;
+  // A gear that is displaced along its axis carries load on the face that it shares with the other
+  // gear. The displacement is left out if there are shafts, whose bearings are not displaced, and
+  // for the halves of double-helical gears, which share their slices.
+  if (request.regime == LoadRegime::line && !half && !request.shafts[0] && !request.shafts[1])
+    request.middle[0] += pair.turned() * errors.axial;
   for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
   request.positions = input.positions;
   request.rotations = input.rotations;
@@ -335,6 +341,10 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   return std::nullopt;
 }
 
+std::vector<LoadedContact> one_contact(const LoadTask& task, const PairCompliance& compliance) {
+  return {task.contact(compliance)};
+}
+
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress, const std::optional<HalfPlace>& half) {
@@ -364,12 +374,14 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  do {
-    auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
-    if (!compliance) return compliance.error();
-    answer.compliance = std::move(compliance).take();
-    answer.contact = task.contact(*answer.compliance);
-  } while (answer.contact->slices_too_fine && !input.slices && halve_slices(task.request.slices));
+  const bool given = input.slices.has_value();
+  SliceResolutions resolutions =
+      half && half->ready ? SliceResolutions(given, *half->ready) : SliceResolutions(given);
+  auto found = resolutions.solve(task, one_contact);
+  if (!found) return found.error();
+  task.request.slices = found->slices;
+  answer.compliance = *found->compliance;
+  answer.contact = std::move(found->contacts.front());
   if (auto error = judge_load(task, *answer.contact, warnings)) return *error;
   answer.standard = load_standard(arranged, answer);
   if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);
@@ -396,14 +408,12 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
   task.request.torques = {from_newton_metres(torque)};
-  for (;;) {
-    const auto compliance = task.compliance();
-    if (!compliance) return compliance.error();
-    LoadedContact contact = task.contact(*compliance);
-    if (contact.slices_too_fine && !input.slices && halve_slices(task.request.slices)) continue;
-    if (auto error = judge_load(task, contact, warnings)) return *error;
-    return contact;
-  }
+  SliceResolutions resolutions(input.slices.has_value());
+  auto found = resolutions.solve(task, one_contact);
+  if (!found) return found.error();
+  task.request.slices = found->slices;
+  if (auto error = judge_load(task, found->contacts.front(), warnings)) return *error;
+  return std::move(found->contacts.front());
 }
 
 Warning held_without_bore(const std::string& gear, WarningCode code, double diameter) {

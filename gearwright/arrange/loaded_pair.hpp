@@ -88,9 +88,11 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
                            const LoadInput& input, std::vector<Warning>& warnings,
                            const std::optional<HalfPlace>& half = {});
 
+/// Returns LoadTask::contact() as the only element of a list, for SliceResolutions::solve().
+std::vector<LoadedContact> one_contact(const LoadTask& task, const PairCompliance& compliance);
+
 /// Halves both numbers of slices, but not below kLeastSlices. Returns false if neither number can
-/// be reduced. The contact of soft or heavily loaded teeth is wider than fair_slices() assumes, so
-/// the callers repeat the computation with fewer slices until there is a solution.
+/// be reduced. See SliceResolutions.
 bool halve_slices(std::array<int, 2>& slices);
 
 /// Returns the contact for the helix slope deviations −`deviation` and +`deviation`, without root

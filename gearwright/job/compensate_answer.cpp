@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/slice_resolutions.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -325,13 +326,14 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   request.rotations.clear();
   request.root_stress = false;
   request.progress = progress;
-  auto compliance = held.task.compliance();
-  if (!compliance) return compliance.error();
-  held.compliance = std::move(compliance).take();
+  SliceResolutions resolutions(job.spec.load.slices.has_value());
+  auto found = resolutions.solve(held.task, one_contact);
+  if (!found) return found.error();
+  request.slices = found->slices;
+  held.compliance = *found->compliance;
   request.progress = nullptr;        // the progress counts trials, not the steps of an analysis
   std::vector<Warning> of_the_pair;  // warnings about the uncorrected pair; they are not reported
-  if (auto error = judge_load(held.task, held.task.contact(held.compliance), of_the_pair))
-    return *error;
+  if (auto error = judge_load(held.task, found->contacts.front(), of_the_pair)) return *error;
   return LoadedAim(std::make_shared<const Held>(std::move(held)));
 }
 

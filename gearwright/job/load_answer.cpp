@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/slice_resolutions.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -170,10 +171,14 @@ Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answ
   LoadTask task = std::move(made).take();
   task.request.rotations.clear();
   task.request.progress = progress;
-  auto contact = task.contact(*answer.compliance);
-  if (auto error = judge_load(task, contact, again.warnings)) return *error;
+  SliceResolutions resolutions(job.spec.load.slices.has_value(), *answer.compliance);
+  auto found = resolutions.solve(task, one_contact);
+  if (!found) return found.error();
+  task.request.slices = found->slices;
+  if (auto error = judge_load(task, found->contacts.front(), again.warnings)) return *error;
   LoadAnalysis pitch = answer;
-  pitch.contact = std::move(contact);
+  pitch.compliance = *found->compliance;
+  pitch.contact = std::move(found->contacts.front());
   return pitch;
 }
 

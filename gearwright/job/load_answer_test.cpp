@@ -259,5 +259,28 @@ load = { torque_Nm = 50, slices = 32 }
   EXPECT_EQ(task.error().field, "load.slices");
 }
 
+// Only the part of the faces that both gears share carries load, and its ends are the ends of
+// different gears. Exchanged gears therefore have the same loads.
+TEST(LoadAnswer, ADisplacedGearCarriesLoadOnTheCommonFace) {
+  const auto torque_of = [](const std::string& rest) {
+    SolvedJob job = loaded_job(R"(
+gear1 = { teeth = 24, normal_module_mm = 3, face_width_mm = 20 }
+gear2 = { teeth = 24 }
+)" + rest);
+    auto answer = answer_load(job);
+    EXPECT_TRUE(answer) << answer.error().message();
+    return std::move(answer).take().contact->torques.front();
+  };
+  const std::string load = "torque_Nm = 100, positions = 4, slices = 10, accuracy = \"draft\"";
+  const LoadedTorque aligned = torque_of("errors = { axial_mm = 5 }\nload = { " + load + " }\n");
+  EXPECT_LT(aligned.face_load_factor, 1.25);
+  const LoadedTorque one =
+      torque_of("errors = { axial_mm = 5 }\nload = { " + load + ", deflection_slope_um = -40 }\n");
+  const LoadedTorque two = torque_of("errors = { axial_mm = -5 }\nload = { " + load +
+                                     ", deflection_slope_um = -40, driver = 2 }\n");
+  EXPECT_NEAR(one.max_pressure, two.max_pressure, 1e-3 * one.max_pressure);
+  EXPECT_NEAR(one.face_load_factor, two.face_load_factor, 1e-3);
+}
+
 }  // namespace
 }  // namespace gearwright

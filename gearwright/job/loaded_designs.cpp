@@ -32,6 +32,7 @@ Result<double> loaded_noise(const Json& tree, const std::filesystem::path& folde
   auto solved = solve(*spec, Scope::pair);
   if (!solved) return named(solved.error());
   SolvedJob job = std::move(solved).take();
+  job.spec.load.rotations.clear();  // a peak to peak needs a whole pitch
   const auto answer = answer_load(job);
   if (!answer) return named(answer.error());
   if (!answer->contact)

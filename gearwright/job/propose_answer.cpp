@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/slice_resolutions.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
@@ -65,13 +66,23 @@ std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
 }
 
 // Computes the effects of the modifications of a job in the same way as the verbs `load` and
-// `contact`. `task` is the task of the job. Warnings about the result are added to the job.
-std::optional<Error> find_effects(Proposal& p, SolvedJob& job, const LoadTask& task,
-                                  const PairCompliance& compliance,
-                                  const std::optional<double>& helix_deviation) {
-  const LoadedContact contact =
-      loaded_contact(task.pair(), task.setup.gear(1), task.setup.gear(2), compliance, task.request);
-  if (auto error = judge_load(task, contact, job.warnings)) return error;
+// `contact`. `task` is the task of the job. Warnings about the result are added to the job. Returns
+// the compliance without deviations of the helix slopes.
+Result<const PairCompliance*> find_effects(Proposal& p, SolvedJob& job, LoadTask task,
+                                           SliceResolutions& resolutions,
+                                           const std::optional<double>& helix_deviation) {
+  const auto solved =
+      resolutions.solve(task, [](const LoadTask& with, const PairCompliance& compliance) {
+        LoadRequest request = with.request;
+        request.progress = nullptr;  // null, because the progress counts proposals
+        return std::vector{loaded_contact(with.pair(), with.setup.gear(1), with.setup.gear(2),
+                                          compliance, request)};
+      });
+  if (!solved) return solved.error();
+  task.request.slices = solved->slices;
+  task.request.progress = nullptr;
+  const LoadedContact& contact = solved->contacts.front();
+  if (auto error = judge_load(task, contact, job.warnings)) return *error;
   const auto scores = scores_of(contact);
   for (std::size_t i = 0; i < scores.size(); ++i)
     p.loads.push_back({task.request.torques[i], scores[i]});
@@ -82,19 +93,25 @@ std::optional<Error> find_effects(Proposal& p, SolvedJob& job, const LoadTask& t
   p.without_load = continuous_span(task.pair(), job.spec.contact.positions);
   for (const LoadedPosition& at : most->positions)
     p.transmission_error.push_back({at.rotation1.deg(), at.te.arcsec()});
-  if (!helix_deviation) return std::nullopt;
+  if (!helix_deviation) return solved->compliance;
+  const auto limits =
+      resolutions.solve(task, [&](const LoadTask& with, const PairCompliance& compliance) {
+        return contacts_at_limits(with, compliance, *helix_deviation);
+      });
+  if (!limits) return limits.error();
   std::vector<LoadedScore> both;
-  for (const LoadedContact& limit : contacts_at_limits(task, compliance, *helix_deviation))
-    both.push_back(worst_of(scores_of(limit)));
+  for (const LoadedContact& limit : limits->contacts) both.push_back(worst_of(scores_of(limit)));
   p.at_limits = worst_of(both);
-  return std::nullopt;
+  return solved->compliance;
 }
 
-// Returns the load task of a job, without root stress.
+// Returns the load task of a job over a whole pitch, without root stress. At single rotations, the
+// transmission error would have no peak to peak, and loaded edges would be missed.
 Result<LoadTask> quick_task(SolvedJob& job) {
   auto made = load_task(job);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
+  task.request.rotations.clear();
   task.request.root_stress = false;
   return task;
 }
@@ -311,13 +328,14 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  const auto compliance = task.compliance();
-  if (!compliance) return compliance.error();
-  if (task.request.deflects()) a.deflection = face_deflection(task, *compliance, a.torque);
-  task.request.progress = nullptr;  // null, because the progress counts proposals
+  SliceResolutions resolutions(given.spec.load.slices.has_value());
   Proposal first;
-  if (auto error = find_effects(first, jobs.front(), task, *compliance, grades.helix))
-    return *error;
+  const auto effects = find_effects(first, jobs.front(), task, resolutions, grades.helix);
+  if (!effects) return effects.error();
+  const PairCompliance& compliance = **effects;
+  task.request.slices = {compliance.slices[0].count, compliance.slices[1].count};
+  task.request.progress = nullptr;  // null, because the progress counts proposals
+  if (task.request.deflects()) a.deflection = face_deflection(task, compliance, a.torque);
   a.proposals.push_back(std::move(first));
   a.specs.push_back(tree);
 
@@ -326,7 +344,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
       propose_lead(a.deflection.value_or(FaceDeflection()), grades.helix.value_or(0.0), face_1,
                    std::min(face_1, given.gear(2).spec.face_width));
   const ProposalList wanted =
-      list_proposals(given, task, *compliance, lead, grades.pitch.value_or(0.0));
+      list_proposals(given, task, compliance, lead, grades.pitch.value_or(0.0));
   a.short_deflection = wanted.short_deflection;
   begin_stage(progress, "computing the proposals under load",
               static_cast<std::int64_t>(wanted.proposals.size()));
@@ -357,9 +375,12 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     if (own) {
       jobs.push_back(std::move(own).take());
       const auto its = quick_task(jobs.back());
-      error = its ? find_effects(p, jobs.back(), *its, *compliance, grades.helix)
-                  : std::optional<Error>(its.error());
-      if (error) jobs.pop_back();
+      const auto found = its ? find_effects(p, jobs.back(), *its, resolutions, grades.helix)
+                             : Result<const PairCompliance*>(its.error());
+      if (!found) {
+        error = found.error();
+        jobs.pop_back();
+      }
     } else {
       error = own.error();  // the teeth cannot have these modifications
     }

@@ -378,6 +378,19 @@ TEST(Propose, InternalPairsHaveReliefsToo) {
   EXPECT_FALSE(a.proposals[1].worst.edge_carries);
 }
 
+// Single rotations say nothing about a whole pitch, over which the proposals are compared.
+TEST(Propose, ComparesWholePitchesInPlaceOfRotations) {
+  const std::string spec = spur_spec() + "torque_Nm = 100\n";
+  const ProposeAnswer of_rotation = propose_for(spec + "rotation1_deg = [0.5]\n");
+  const ProposeAnswer of_pitch = propose_for(spec);
+  ASSERT_EQ(of_rotation.proposals.size(), of_pitch.proposals.size());
+  EXPECT_GT(of_rotation.proposals[0].worst.peak_to_peak.rad(), 0.0);
+  for (std::size_t i = 0; i < of_pitch.proposals.size(); ++i)
+    EXPECT_EQ(of_rotation.proposals[i].worst.peak_to_peak.rad(),
+              of_pitch.proposals[i].worst.peak_to_peak.rad());
+  EXPECT_EQ(of_rotation.recommended, of_pitch.recommended);
+}
+
 TEST(Propose, StatesWhyThereAreNoProposals) {
   EXPECT_EQ(propose_error(spur_spec()).field, "load.torque_Nm");
   const std::string torque = "torque_Nm = 50\n";

@@ -96,16 +96,16 @@ Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, P
   const auto of = [torque](const LoadedTorque& t) {
     return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
   };
+  LoadInput input = job.spec.load;
+  input.rotations.clear();  // the results are the greatest values over a whole pitch
   if (job.halves[0]) {
-    LoadInput input = job.spec.load;
     input.torques = {torque};
     input.probes.clear();
     const auto both = loaded_halves(job, job.halves, errors_of(job), input, job.warnings, progress);
     if (!both) return both.error();
     return of(both->contact->torques.front());
   }
-  const auto made =
-      contact_under(job, errors_of(job), job.spec.load, torque, job.warnings, progress);
+  const auto made = contact_under(job, errors_of(job), input, torque, job.warnings, progress);
   if (!made) return made.error();
   return of(made->torques.front());
 }

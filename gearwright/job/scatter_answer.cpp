@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gearwright/arrange/notes.hpp"
+#include "gearwright/arrange/slice_resolutions.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/corrected_spec.hpp"
@@ -278,18 +279,26 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
     if (!job.spec.given.contains("load.positions")) side.request.positions = kLoadedPositions;
     side.request.progress = task.progress;
   }
-  auto compliance = sides[0].compliance();
-  if (!compliance) return compliance.error();
+  const bool two = sides.size() > 1 && !equal_halves(*job.halves[0], errors_of(job), job.spec.load);
+  SliceResolutions resolutions(job.spec.load.slices.has_value());
+  const auto solved =
+      resolutions.solve(sides[0], [&](const LoadTask& first, const PairCompliance& compliance) {
+        std::vector<LoadedContact> contacts = one_contact(first, compliance);
+        if (two) contacts.push_back(sides[1].contact(compliance));
+        return contacts;
+      });
+  if (!solved) return solved.error();
   // If a sample loses contact, it may have no results. The nominal pair must have results.
-  for (LoadTask& side : sides) {
-    const bool second = &side != &sides[0];
-    std::vector<Warning> found;
-    if (!second || !equal_halves(*job.halves[0], errors_of(job), job.spec.load))
-      if (auto error = judge_load(side, side.contact(*compliance), found)) return *error;
-    add_new(std::move(found), job.warnings, second ? kSecondHalf : "");
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    LoadTask& side = sides[i];
+    side.request.slices = solved->slices;
     side.request.progress = nullptr;
+    if (i >= solved->contacts.size()) continue;
+    std::vector<Warning> found;
+    if (auto error = judge_load(side, solved->contacts[i], found)) return *error;
+    add_new(std::move(found), job.warnings, i == 1 ? kSecondHalf : "");
   }
-  LoadedFamily family{std::move(compliance).take(), sides[0].request,
+  LoadedFamily family{*solved->compliance, sides[0].request,
                       few_samples(task, job.spec.scatter.loaded_samples)};
   if (sides.size() > 1) family.second_half = sides[1].request;
   return family;

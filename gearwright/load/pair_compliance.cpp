@@ -50,17 +50,23 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
 }
 
 // Returns the slices of the part of the face that may be loaded, in the frame N, in mm from the
-// middle of the gear's face. For line contact, this part is the narrower of the two faces, because
-// it lies within the wider face. For point contact, it is the part within the reach, which is
-// shifted onto the face if it extends beyond an end.
+// middle of the gear's face. For line contact, this part is common to both faces. For point
+// contact, it is the part within the reach, which is shifted onto the face if it extends beyond an
+// end.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
+  const double own = gears[which]->spec.face_width / 2;
+  if (request.regime == LoadRegime::line) {
+    const double other = gears[1 - which]->spec.face_width / 2;
+    const double apart = request.middle[1 - which] - request.middle[which];
+    const FaceSlices common{request.slices[which], std::max(-own, apart - other),
+                            std::min(own, apart + other)};
+    // If the faces have no common part, no teeth touch, which the analysis reports.
+    return common.lo < common.hi ? common : FaceSlices{request.slices[which], -own, own};
+  }
   const double face = face_of(gears, which, request.regime, request.reach);
-  const std::size_t narrower = gears[1]->spec.face_width < gears[0]->spec.face_width ? 1 : 0;
-  const double beside = (gears[which]->spec.face_width - face) / 2;
-  const double middle = request.regime == LoadRegime::point
-                            ? std::clamp(-request.middle[which], -beside, beside)
-                            : request.middle[narrower] - request.middle[which];
+  const double beside = own - face / 2;
+  const double middle = std::clamp(-request.middle[which], -beside, beside);
   return {request.slices[which], middle - face / 2, middle + face / 2};
 }
 

@@ -40,7 +40,8 @@ struct LoadRequest {
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
-  /// z of the middle of each face in frame N, mm. Both values are equal if the gears have shafts.
+  /// z of the middle of each face in frame N, mm, including a displacement along the axis. Both
+  /// values are equal if the gears have shafts.
   std::array<double, 2> middle{};
   bool root_stress = true;  ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;

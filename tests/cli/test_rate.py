@@ -318,6 +318,13 @@ class Contact(unittest.TestCase):
             self.assertTrue(0.7 < r["contact_pressure_over_sigma_H"][i] < 1.5, r["contact_pressure_over_sigma_H"])
             self.assertTrue(0.5 < r["contact_root_stress_over_sigma_F"][i] < 1.5, r["contact_root_stress_over_sigma_F"])
 
+    def test_rotations_do_not_replace_the_positions(self):
+        wish = CONTACT.replace("face_load_factor", "tooth_contact = true\nface_load_factor")
+        pitch = Run("rate", wish, "--json").json["rating"]
+        rotation = Run("rate", wish.replace("positions = 8", "positions = 8\nrotation1_deg = [2.0]"), "--json").json["rating"]
+        for key in ("contact_pressure_MPa", "contact_root_stress_MPa", "contact_face_load_factor"):
+            self.assertEqual(rotation[key], pitch[key])
+
     def test_only_where_asked(self):
         r = Run("rate", CONTACT, "--json").json["rating"]
         self.assertFalse([key for key in r if key.startswith("contact_")])

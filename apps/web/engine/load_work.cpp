@@ -109,6 +109,14 @@ Result<Steps> LoadWork::step(double milliseconds) {
 std::optional<Error> LoadWork::close() {
   LoadAnalysis answer;
   answer.contact = turn_->result();
+  // The default number of slices is halved until there is a solution, as by the verb `load`.
+  if (answer.contact->slices_too_fine && !job_.spec.load.slices &&
+      halve_slices(task_.request.slices)) {
+    turn_.reset();
+    tables_ = {};
+    next_ = 0;
+    return std::nullopt;
+  }
   answer.compliance = *compliance_;
   answer.standard = load_standard(job_, answer);
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
