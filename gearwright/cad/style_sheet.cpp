@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 
@@ -74,9 +75,8 @@ void StyleSheet::apply(std::string_view tag, std::string_view classes, Style& st
   const std::vector<std::string_view> own = trimmed_parts(classes, ' ');
   for (const Rule& rule : rules_) {
     if (!rule.tag.empty() && rule.tag != tag) continue;
-    if (std::all_of(rule.classes.begin(), rule.classes.end(), [&](const std::string& name) {
-          return std::find(own.begin(), own.end(), name) != own.end();
-        }))
+    if (std::all_of(rule.classes.begin(), rule.classes.end(),
+                    [&](const std::string& name) { return is_in(name, own); }))
       apply_declarations(rule.declarations, style);
   }
 }

@@ -156,8 +156,7 @@ KeyTable KeyTable::only(const std::vector<std::string_view>& kept) const {
 KeyTable KeyTable::without(const std::vector<std::string_view>& left_out) const {
   KeyTable rest{name, meaning, {}};
   for (const Key& key : keys)
-    if (std::find(left_out.begin(), left_out.end(), key.key) == left_out.end())
-      rest.keys.push_back(key);
+    if (!is_in(key.key, left_out)) rest.keys.push_back(key);
   return rest;
 }
 

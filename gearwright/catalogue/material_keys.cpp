@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/printable.hpp"
 
 namespace gearwright {
 
@@ -57,7 +59,7 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
     return std::nullopt;
   std::vector<std::string> known;
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
-  if (std::find(known.begin(), known.end(), *m.name) != known.end()) return std::nullopt;
+  if (is_in(*m.name, known)) return std::nullopt;
   if (names_plastic(*m.name)) {
     return KeyFault{
         "name",

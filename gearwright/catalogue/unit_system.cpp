@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 
 namespace gearwright {
@@ -43,18 +44,14 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
 // members of `samples` have their own units.
 constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
-template <class List>
-bool is_one_of(const List& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 // Returns the unit at the end of one key, without its index.
 const KeyUnit* unit_at_end(std::string_view key, std::string_view KeyUnit::*ending) {
   const bool force = key.find("_N_") != std::string_view::npos || key.ends_with("_per_N");
-  if (force || is_one_of(kInBoth, key)) return nullptr;
-  const auto it = std::find_if(kKeyUnits.begin(), kKeyUnits.end(),
-                               [&](const KeyUnit& u) { return key.ends_with(u.*ending); });
-  return it == kKeyUnits.end() ? nullptr : &*it;
+  if (force || is_in(key, kInBoth)) return nullptr;
+  for (const UnitPair& pair : kUnitPairs)
+    if (const std::string_view end = pair.key.*ending; !end.empty() && key.ends_with(end))
+      return &pair.key;
+  return nullptr;
 }
 
 std::string_view without_index(std::string_view key) { return key.substr(0, key.find('[')); }
@@ -164,7 +161,7 @@ const KeyUnit* metric_unit(std::string_view key) { return unit_with(key, &KeyUni
 const KeyUnit* inch_unit(std::string_view key) { return unit_with(key, &KeyUnit::inch); }
 
 bool is_in_unit_of_table(std::string_view key) {
-  return unit_of(key) == Unit::none && !is_one_of(kPureNumbers, key);
+  return unit_of(key) == Unit::none && !is_in(key, kPureNumbers);
 }
 
 std::string key_in(UnitSystem units, std::string_view key) {

@@ -9,7 +9,6 @@
 // Lengths are in mm. The limits of a tooth are in normal modules.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -20,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/gear/warning.hpp"
 #include "gearwright/pair/shift.hpp"
 #include "gearwright/rating/rating.hpp"
@@ -256,9 +256,7 @@ struct SearchProblem {
   }
   /// True if the transmission error under load of the best designs must be computed.
   bool loads_designs() const { return loaded_designs > 0 && ranks_by(Objective::noise); }
-  bool ranks_by(Objective objective) const {
-    return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
-  }
+  bool ranks_by(Objective objective) const { return is_in(objective, objectives); }
 };
 
 /// One combination of rack, helix angles, module and numbers of teeth, without shifts.

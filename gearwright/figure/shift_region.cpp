@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/math/root.hpp"
 
@@ -97,9 +98,8 @@ void name_edges(Figure& f, const ShiftChart& chart) {
   });
   std::vector<std::string> named;
   for (FigureMark* m : edges) {
-    const bool again = std::find(named.begin(), named.end(), m->words) != named.end();
-    if (!again) {
-      named.push_back(m->words);
+    const bool first = add_once(named, m->words);
+    if (first) {
       std::string style = m->style.substr(m->style.find(' ') + 1);
       if (!(exact && m->words == words_of(ShiftEdge::Cmax)))
         f.keys.push_back({"line " + style, m->words});

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <sstream>
 
-namespace gearwright {
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/printable.hpp"
 
 std::size_t text_width(std::string_view text) {
   // In UTF-8, bytes that continue a character have the form 10xxxxxx.
@@ -219,6 +220,18 @@ std::string design_listing(const std::vector<ListingColumn>& columns) {
             (heads > 0 ? padded(head(*each.column), heads + 2) : "") + each.value + "\n";
   }
   return text + (common.empty() ? "" : "\n") + tables_of(table);
+}
+
+std::string ranked_listing(UnitSystem units, const std::vector<std::size_t>& pareto,
+                           ListingColumn second, const std::vector<ValueRecord>& records,
+                           std::initializer_list<std::string_view> keys) {
+  std::vector<ListingColumn> columns{{}, std::move(second)};
+  for (std::size_t i = 0; i < records.size(); ++i)
+    columns[0].cells.push_back(fmt::format("{}{}", is_in(i, pareto) ? "*" : "", i + 1));
+  for (ListingColumn& column : listing_columns(units, records, keys))
+    columns.push_back(std::move(column));
+  return "\n" + design_listing(columns) +
+         (pareto.empty() ? "" : "  * marks designs on the Pareto front of the objectives\n");
 }
 
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/scatter/linear_share.hpp"
@@ -64,7 +65,7 @@ std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
   std::size_t from = 0;
   for (std::size_t t = 0; t < task.tolerances.size(); ++t) {
     const auto count = static_cast<std::size_t>(task.tolerances[t].coordinates());
-    if (std::find(group.tolerances.begin(), group.tolerances.end(), t) != group.tolerances.end())
+    if (is_in(t, group.tolerances))
       std::copy_n(b.begin() + static_cast<std::ptrdiff_t>(from), count,
                   a.begin() + static_cast<std::ptrdiff_t>(from));
     from += count;

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/zip.hpp"
 #include "gearwright/spec/spec_text.hpp"
@@ -237,11 +238,10 @@ const RexsComponent* RexsModel::related(std::string_view id,
                                         std::initializer_list<std::string_view> with,
                                         std::initializer_list<std::string_view> types) const {
   for (const RexsRelation& r : relations) {
-    if (std::find(with.begin(), with.end(), r.type) == with.end() || !r.names(id)) continue;
+    if (!is_in(r.type, with) || !r.names(id)) continue;
     for (const auto& [role, other] : r.refs) {
       const RexsComponent* const c = find(other);
-      if (c && c->id != id && std::find(types.begin(), types.end(), c->type) != types.end())
-        return c;
+      if (c && c->id != id && is_in(c->type, types)) return c;
     }
   }
   return nullptr;

@@ -10,6 +10,8 @@
 #include <set>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/spec/rexs_set.hpp"
 
@@ -51,8 +53,7 @@ constexpr std::array kRows{
 
 const RexsNumber* row_of(std::string_view type, std::string_view attribute) {
   const auto it = std::find_if(kRows.begin(), kRows.end(), [&](const RexsNumber& row) {
-    return row.attribute == attribute &&
-           std::find(row.types.begin(), row.types.end(), type) != row.types.end();
+    return row.attribute == attribute && is_in(type, row.types);
   });
   return it == kRows.end() ? nullptr : &*it;
 }

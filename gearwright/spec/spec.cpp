@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -265,9 +266,7 @@ RackBar read_rack_bar(const Json& rack, const Json& tree, const std::optional<Ge
       "center_distance_mm",          "speed_rpm",    "friction_coefficient", "backlash_mm",
       "backlash_circumferential_mm", "backlash_deg", "backlash_split"};
   for (const auto& [key, value] : pair->items()) {
-    if (std::find(kOfRacks.begin(), kOfRacks.end(), key) != kOfRacks.end() ||
-        !pair_keys().find(key))
-      continue;
+    if (is_in(key, kOfRacks) || !pair_keys().find(key)) continue;
     throw SpecError{
         {"pair." + key, shown(value),
          fmt::format("does not apply to a rack and pinion, for which only {} are allowed",
