@@ -10,16 +10,6 @@
 
 namespace gearwright {
 
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \n";
-  const std::size_t from = std::min(text.find_first_not_of(kSpace), text.size());
-  return text.substr(from, text.find_last_not_of(kSpace) + 1 - from);
-}
-
-}  // namespace
-
 std::vector<std::string_view> trimmed_parts(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (const std::string_view part : split(text, separator))

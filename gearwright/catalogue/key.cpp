@@ -218,12 +218,7 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
   constexpr std::size_t kLeastPart = 3;   // least length of a word that may be a part of another
                                           // word
-  const auto small = [](std::string_view text) {
-    std::string letters(text.substr(0, 80));
-    for (char& c : letters)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return letters;
-  };
+  const auto small = [](std::string_view text) { return lower_case(text.substr(0, 80)); };
   const std::string given = small(word);
   std::string best;
   const auto look = [&](std::size_t below, auto letters_off) {

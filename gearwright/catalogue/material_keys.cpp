@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -44,9 +43,7 @@ Key by_temperature(std::string_view key, std::string_view symbol,
 bool names_plastic(std::string_view name) {
   constexpr std::array kPlastics{"abs", "delrin", "lcp", "nylon", "pa",  "pbt", "pc",   "peek",
                                  "pei", "pet",    "pla", "poly",  "pom", "pps", "ptfe", "uhmw"};
-  std::string lower(name.substr(0, name.find_first_of(" -0123456789")));
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lower_case(name.substr(0, name.find_first_of(" -0123456789")));
   return std::any_of(kPlastics.begin(), kPlastics.end(), [&](std::string_view plastic) {
     return lower == plastic || (plastic.size() > 3 && lower.starts_with(plastic));
   });

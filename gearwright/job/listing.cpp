@@ -25,7 +25,7 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
                  std::size_t columns = 0, const std::string& note = {}) {
   std::string text = "  " + padded(words, words_width) + padded(symbol, kSymbolWidth);
   for (const std::string& v : values)
-    text += text_width(v) < kValueWidth ? padded_left(v, kValueWidth) : "  " + v;
+    text += character_count(v) < kValueWidth ? padded_left(v, kValueWidth) : "  " + v;
   if (!note.empty() && values.size() < columns)
     text += std::string(kValueWidth * (columns - values.size()), ' ');
   text += "  " + (note.empty() ? std::string(unit) : padded(std::string(unit), kUnitWidth) + note);
@@ -56,7 +56,7 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
   std::size_t words_width = kWordsWidth;
   for (const TextGroup& g : groups) {
     for (const TextRow& row : g.rows)
-      words_width = std::max(words_width, text_width(row.info->words) + 2);
+      words_width = std::max(words_width, character_count(row.info->words) + 2);
   }
   std::string text;
   if (!columns.empty()) text += "\n" + line("", words_width, "", columns, "");

@@ -64,7 +64,6 @@ std::string outline_listing(const Outline& outline, int n, UnitSystem units);
 constexpr std::size_t kLineWidth = 80;    ///< width of sentences, the usual width of a terminal
 constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
 
-std::size_t text_width(std::string_view text);
 /// Returns the text, filled on the right with blanks to `width` characters.
 std::string padded(const std::string& text, std::size_t width);
 /// Returns the text, filled on the left with blanks to `width` characters.

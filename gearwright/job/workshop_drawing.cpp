@@ -7,6 +7,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/rack_sheet.hpp"
 #include "gearwright/cad/section.hpp"
@@ -146,10 +147,7 @@ std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody
 }
 
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string ending = lower_case(path.extension().string());
   if (ending == ".pdf") return SheetFormat::pdf;
   if (ending == ".svg") return SheetFormat::svg;
   if (ending == ".dxf") return SheetFormat::dxf;

@@ -117,9 +117,7 @@ std::string escaped(std::string_view text) {
 
 // Returns the extension of a file in lower case, such as ".rexsz".
 std::string lower_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
+  return lower_case(path.extension().string());
 }
 
 // Returns the only REXS file in an archive. Other files, such as load spectra, are not read.

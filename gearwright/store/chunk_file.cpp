@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <system_error>
@@ -13,6 +12,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/system.hpp"
 
@@ -71,10 +71,8 @@ ChunkRead broken(std::string damage) {
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
 std::optional<std::int64_t> number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
-  return value;
+  const auto value = whole_number(text);
+  return value && *value >= 0 ? value : std::nullopt;
 }
 
 std::vector<fs::path> entries(const fs::path& folder) {
