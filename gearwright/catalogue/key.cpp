@@ -7,20 +7,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace gearwright {
-
-namespace {
-
-// The units with which keys end. The names of struct members end without a unit.
-constexpr std::array<std::string_view, 6> kUnitEndings{"mm",     "deg",    "um",
-                                                       "per_in", "arcsec", "rpm"};
-constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
-                                                         "HV", "m2", "m2K_per_W", "kg_per_m3"};
-
-bool ends_with_unit(std::string_view key, std::string_view unit) {
-  return key.size() > unit.size() && key.ends_with(unit) &&
-         key[key.size() - unit.size() - 1] == '_';
-}
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/term.hpp"
 
 }  // namespace
 
@@ -65,9 +54,12 @@ std::string KeyRange::sentence(double value) const {
 }
 
 std::string_view key_unit(std::string_view key) {
-  for (const std::string_view unit : kUnitEndings)
-    if (ends_with_unit(key, unit)) return unit;
-  return {};
+  const std::string_view suffix = unit_suffix(unit_of(key));
+  return suffix.empty() ? suffix : suffix.substr(1);
+}
+
+std::string_view without_unit(std::string_view key) {
+  return key.substr(0, key.size() - unit_suffix(unit_of(key)).size());
 }
 
 namespace {
@@ -135,10 +127,7 @@ Key Key::part(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
 std::vector<std::string> Key::members() const {
   if (!fields.empty()) return fields;
   const std::string_view name = alias.of.empty() ? key : alias.of;
-  std::string_view unit = key_unit(name);
-  for (const std::string_view other : kStrengthUnits)
-    if (ends_with_unit(name, other)) unit = other;
-  return {std::string(unit.empty() ? name : name.substr(0, name.size() - unit.size() - 1))};
+  return {std::string(without_unit(name))};
 }
 
 const Key* KeyTable::find(std::string_view name) const {

@@ -40,11 +40,6 @@ constexpr std::array<Letter, 12> kLetters{{{"α", "alpha"},
                                            {"τ", "tau"},
                                            {"ψ", "psi"}}};
 
-std::string_view without_unit(std::string_view key) {
-  const std::string_view unit = key_unit(key);
-  return unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1);
-}
-
 // The name of a key in the form for comparison, both with its unit and without its unit.
 struct Word {
   std::string whole, bare;
