@@ -122,7 +122,7 @@ struct SearchRating {
   /// 1 is T_2 z_1/|z_2|, without losses.
   RatingInput input_of(int z1, int z2) const {
     RatingInput own = input;
-    if (output_torque) own.torque = *output_torque * z1 / std::abs(z2);
+    if (output_torque) own.torque = balancing_torque(*output_torque, z1, z2);
     return own;
   }
 };

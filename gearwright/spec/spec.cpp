@@ -198,15 +198,16 @@ void find_input_torques(const Json& tree, JobSpec& spec) {
                      "applies to a pair; for a drive, give the torque on the input by torque_Nm, "
                      "T_in = T_out/(i η). The command `gearwright drive` computes i and η without "
                      "a torque"}};
-  double share = 1.0;  // torque on gear 1 divided by the torque on the driven gear
-  if (load.driver != 2) {
-    if (!spec.has(1) || !spec.has(2)) return;
-    share = std::abs(static_cast<double>(spec.gear(1).cylindrical.teeth) /
-                     spec.gear(2).cylindrical.teeth);
-  }
-  for (const double torque : load.output_torques) load.torques.push_back(torque * share);
+  const bool on_gear_2 = load.driver != 2;
+  if (on_gear_2 && !(spec.has(1) && spec.has(2))) return;
+  const auto on_gear_1 = [&](double torque) {
+    return on_gear_2 ? balancing_torque(torque, spec.gear(1).cylindrical.teeth,
+                                        spec.gear(2).cylindrical.teeth)
+                     : torque;
+  };
+  for (const double torque : load.output_torques) load.torques.push_back(on_gear_1(torque));
   if (!rating.output_torque) return;
-  rating.torque = *rating.output_torque * share;
+  rating.torque = on_gear_1(*rating.output_torque);
   rating.input.torque = *rating.torque;
 }
 
