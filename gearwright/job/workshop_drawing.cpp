@@ -104,17 +104,14 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const SheetNumb
   if (!body) return body.error();
   const UnitSystem units = job.spec.units();
   const auto mass = mass_of(job, which, *body);
-  GearSheetInput input{
-      *body,
-      job.gear(which).reference_diameter,
-      gear_drawing_data(job, which, numbers.mate),
-      title_words(job),
-      job.spec.gear(which).tolerance.tip_fit.value_or(""),
-      surfaces(job, which),
-      mass ? fmt::format("{:.3g} {}", value_in(units, Unit::kg, *mass), unit_text(units, Unit::kg))
-           : "",
-      numbers.own,
-      job.spec.units()};
+  GearSheetInput input{{title_words(job), gear_drawing_data(job, which, numbers.mate),
+                        surfaces(job, which), numbers.own, units},
+                       *body,
+                       job.gear(which).reference_diameter,
+                       job.spec.gear(which).tolerance.tip_fit.value_or("")};
+  if (mass)
+    input.mass =
+        fmt::format("{:.3g} {}", value_in(units, Unit::kg, *mass), unit_text(units, Unit::kg));
   if (job.parts() > 1) input.words.title += fmt::format(", gear {}", which);
   add_material(input.words, job.spec.gear(which).material);
   auto made = gear_sheet(input, size, tolerance_mm);
@@ -127,9 +124,9 @@ Result<GearSheet> sheet_of_rack(const SolvedJob& job, const SheetNumbers& number
                                 double tolerance_mm) {
   const auto body = make_body(job, 2);
   if (!body) return body.error();
-  RackSheetInput input{job.rack->rack,   rack_drawing_data(job, numbers.mate),
-                       title_words(job), textures(job.spec.drawing, ""),
-                       numbers.own,      job.spec.units()};
+  RackSheetInput input{{title_words(job), rack_drawing_data(job, numbers.mate),
+                        textures(job.spec.drawing, ""), numbers.own, job.spec.units()},
+                       job.rack->rack};
   input.words.title += ", rack";
   auto made = rack_sheet(input, size, tolerance_mm);
   if (!made) return of_body(made.error(), body->name);
