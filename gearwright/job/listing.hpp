@@ -89,5 +89,10 @@ std::string table_listing(const TextTable& table);
 /// are the columns with the same text in all rows, and the columns whose numbers are equal to those
 /// of an earlier column or differ from them only in sign.
 std::string design_listing(const std::vector<ListingColumn>& columns);
+/// Lists the designs of a search in their order, with their ranks, the column `second` and the
+/// quantities `keys` of `records`. `pareto` contains the indices of the Pareto front.
+std::string ranked_listing(UnitSystem units, const std::vector<std::size_t>& pareto,
+                           ListingColumn second, const std::vector<ValueRecord>& records,
+                           std::initializer_list<std::string_view> keys);
 
 }  // namespace gearwright
