@@ -11,7 +11,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/term.hpp"
 
-}  // namespace
+namespace gearwright {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // rows[i % 3][j] is the distance between the first i letters of a and the first j letters of b.

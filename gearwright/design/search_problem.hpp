@@ -118,8 +118,7 @@ struct SearchRating {
   std::shared_ptr<RingCuts> ring_cuts;  ///< store for the cuts of internal gears, created by the
                                         ///< search; if absent, internal pairs are cut and mounted
 
-  /// Returns the input for a pair with these numbers of teeth. If T_2 is given, the torque on gear
-  /// 1 is T_2 z_1/|z_2|, without losses.
+  /// Returns the input for a pair with these numbers of teeth.
   RatingInput input_of(int z1, int z2) const {
     RatingInput own = input;
     if (output_torque) own.torque = balancing_torque(*output_torque, z1, z2);

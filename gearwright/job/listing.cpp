@@ -118,9 +118,7 @@ std::string title_listing(const JobSpec& spec, std::string_view before) {
 }
 
 std::string gear_listing(const SolvedJob& job) {
-  std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < job.gears.size(); ++i)
-    records.push_back(gear_record(job.gears[i], job.halves[i]));
+  const std::vector<ValueRecord> records = gear_records(job);
   std::string text =
       title_listing(job.spec, "\n") + quantity_listing(job.spec.units(), gear_quantities().table(),
                                                        records, gear_columns(records.size()));
