@@ -58,6 +58,9 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 /// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)
 std::string completion(const std::string& shell, const CLI::App& app);
 
+/// Returns the names of an option with their hyphens, "-o" before "--option".
+std::vector<std::string> names_of(const CLI::Option& option);
+
 /// Returns the values that completion offers for an option. The list is empty for all options
 /// except --gear and --only.
 std::vector<std::string> words_of(const CLI::Option& option);

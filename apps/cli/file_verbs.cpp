@@ -12,6 +12,7 @@
 #include "apps/cli/verbs.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/drive_answer.hpp"
@@ -60,8 +61,7 @@ std::string collision(const Options& o) {
     std::error_code error;
     const fs::path path = fs::weakly_canonical(fs::absolute(*name), error);
     const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
-    if (!device && std::find(taken.begin(), taken.end(), path) != taken.end()) return *name;
-    taken.push_back(path);
+    if (!add_once(taken, path) && !device) return *name;
   }
   return {};
 }
@@ -176,7 +176,7 @@ int run_verb(const Options& o) {
     options.only.assign(parts.begin(), parts.end());
     const std::vector<std::string> known(kRunParts.begin(), kRunParts.end());
     for (const std::string& part : options.only) {
-      if (std::find(known.begin(), known.end(), part) != known.end()) continue;
+      if (is_in(part, known)) continue;
       return usage(fmt::format(
           "--only takes one or more of {}, separated by commas, for example --only step,report{}",
           fmt::join(known, ", "), did_you_mean(part, known)));

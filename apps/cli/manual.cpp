@@ -28,13 +28,10 @@ std::string troff(std::string_view text) {
 }
 
 std::string option_text(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
   const bool value = option.get_items_expected_max() > 0;
-  return fmt::format(".TP\n.B {}{}\n{}\n", troff(fmt::format("{}", fmt::join(names, ", "))),
-                     value ? " \\fI" + troff("VALUE") + "\\fR" : "",
-                     troff(option.get_description()));
+  return fmt::format(
+      ".TP\n.B {}{}\n{}\n", troff(fmt::format("{}", fmt::join(names_of(option), ", "))),
+      value ? " \\fI" + troff("VALUE") + "\\fR" : "", troff(option.get_description()));
 }
 
 std::string verb_text(const CLI::App& verb) {

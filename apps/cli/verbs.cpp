@@ -33,10 +33,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string read_text(const std::string& path) {
+std::ifstream opened(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(fs::path{path}, std::ios::binary);
   if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  return file;
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file = opened(path);
   // The size of a case file is limited, because a device file may be endless.
   constexpr std::size_t kMaxBytes = 1 << 26;
   std::string text;
@@ -224,7 +229,7 @@ int batch_verb(const Options& o) {
   }
   const std::string path = words.empty() ? "-" : words.front();
   const bool a_word = path.find_first_of("-./") == std::string::npos;
-  if (words.size() > 1 || (a_word && !std::filesystem::exists(path))) {
+  if (words.size() > 1 || (a_word && !fs::exists(path))) {
     std::vector<std::string> known;
     for (const Verb& each : verbs()) known.emplace_back(each.name);
     return usage(
@@ -232,12 +237,7 @@ int batch_verb(const Options& o) {
                     verb_names(), printable(path, 60), did_you_mean(path, known)));
   }
   std::ifstream file;
-  if (path != "-") {
-    if (std::filesystem::is_directory(path))
-      throw IoError("cannot read " + path + ": it is a folder");
-    file.open(std::filesystem::path(path), std::ios::binary);
-    if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
-  }
+  if (path != "-") file = opened(path);
   std::ios::sync_with_stdio(false);
   std::istream& in = path == "-" ? std::cin : file;
   long long failed = 0;

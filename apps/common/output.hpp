@@ -34,7 +34,7 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
 Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
 /// Returns {"error": …} with the line, the column and the name of the spec, if they are known.
 /// The keys in the error must already be keys of the spec.
-Json refusal_json(const Error& error, const SpecText* text = nullptr);
+Json refusal_json(const Error& error, const SpecText* text);
 /// Reports that the input is wrong or that the gears are impossible, and returns status 1. If
 /// `json` is true, also prints the error as JSON. The keys in the error must already be keys of the
 /// spec (catalogue/spelling.hpp). `text` is the spec that contains the error. If `text` is given,

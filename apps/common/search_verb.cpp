@@ -1,7 +1,6 @@
 #include "apps/common/search_verb.hpp"
 
 #include <atomic>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 
@@ -11,6 +10,7 @@
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
@@ -188,16 +188,11 @@ struct Shard {
 
 // Reads a shard such as "3/8". Returns nothing if the text is not a shard.
 std::optional<Shard> parse_shard(const std::string& text) {
-  const auto slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  Shard s;
-  const auto number = [&](std::size_t from, std::size_t to, int& value) {
-    const char* end = text.data() + to;
-    const auto [at, error] = std::from_chars(text.data() + from, end, value);
-    return error == std::errc() && at == end;
-  };
-  if (!number(0, slash, s.which) || !number(slash + 1, text.size(), s.of)) return std::nullopt;
-  return s.which >= 1 && s.which <= s.of && s.of <= 1'000'000 ? std::optional(s) : std::nullopt;
+  const auto parts = split(text, '/');
+  if (parts.size() != 2) return std::nullopt;
+  const auto which = whole_number(parts[0]), of = whole_number(parts[1]);
+  if (!which || !of || *which < 1 || *which > *of || *of > 1'000'000) return std::nullopt;
+  return Shard{static_cast<int>(*which), static_cast<int>(*of)};
 }
 
 }  // namespace

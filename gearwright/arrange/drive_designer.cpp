@@ -3,6 +3,7 @@
 
 #include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/arrange/judge.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/design/design_strength.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/drive/windup.hpp"
@@ -264,7 +265,7 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
     while (least[m] - 1.0 > below) {
       least[m] -= 1.0;
       const auto held = are_held(least);
-      if (std::find(held.begin(), held.end(), 0) == held.end()) continue;
+      if (!is_in(0, held)) continue;
       least[m] += 1.0;
       break;
     }

@@ -62,13 +62,11 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   m.sigma_Hlim_by = given.sigma_Hlim_by;
   m.sigma_Flim_by = given.sigma_Flim_by;
   m.youngs_modulus_by = given.youngs_modulus_by;
-  const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
-  const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
-  if (!flank || !root) {
+  if (!m.has_strengths()) {
     return absent_input(
-        flank        ? owner + ".sigma_Flim"
-        : given.name ? owner + ".sigma_Hlim"
-                     : owner,
+        m.has_flank_strength() ? owner + ".sigma_Flim"
+        : given.name           ? owner + ".sigma_Hlim"
+                               : owner,
         fmt::format("; a rating needs the strength of the material. Give the name of a listed "
                     "material, for example name = \"16MnCr5\", or give `material.kind`, "
                     "`material.sigma_Hlim` and `material.sigma_Flim`. If `{}` is absent, the "

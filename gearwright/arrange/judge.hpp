@@ -42,8 +42,7 @@ struct JudgedState {
 /// Returns all findings for the nominal values and for the combinations of the ends of the
 /// tolerances. A finding with a worse level at a combination replaces the nominal finding. The
 /// findings contain no remedies.
-std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
-                                                const JudgedWith& with = {});
+std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with);
 
 /// Makes a change that the verdict proposes, in the same way as the user would make it. Returns
 /// false if the input gives the number in another form, or if a cutter or other data determine the

@@ -7,6 +7,7 @@
 
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
@@ -189,7 +190,7 @@ bool shares_gears(const DriveGraph& graph, std::size_t mesh) {
   const auto& own = graph.meshes[mesh].gears;
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
     for (const std::size_t gear : graph.meshes[m].gears)
-      if (m != mesh && std::find(own.begin(), own.end(), gear) != own.end()) return true;
+      if (m != mesh && is_in(gear, own)) return true;
   return false;
 }
 

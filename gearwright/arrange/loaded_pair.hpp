@@ -64,7 +64,7 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
 /// Returns the result under `torque` on gear 1, N m. All other numbers come from `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
-                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
+                                    std::vector<Warning>& warnings, Progress* progress);
 
 /// The computation that loaded() performs for the torques, divided into steps. The steps are the
 /// compliance of the teeth, the contact at all positions, and judge_load().

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
@@ -119,7 +120,7 @@ Warning not_read(const std::string& what) {
 
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings, std::string_view before) {
   for (Warning& w : found) {
-    if (std::find(warnings.begin(), warnings.end(), w) != warnings.end()) continue;
+    if (is_in(w, warnings)) continue;
     w.message.insert(0, before);
     warnings.push_back(std::move(w));
   }

@@ -21,11 +21,6 @@ GivenPair given_rack(double x = 0.2) {
   return given;
 }
 
-bool warns(const Arranged& arranged, WarningCode code) {
-  return std::any_of(arranged.warnings.begin(), arranged.warnings.end(),
-                     [&](const Warning& w) { return w.code == code; });
-}
-
 // j_n = 2 (H − H_0) tan α_n − E_sn1 − E_sn2 [T2.37], and `backlash_split` divides the thinning.
 TEST(ArrangedRack, has_the_requested_backlash) {
   GivenPair given = given_rack();

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 namespace gearwright {
 
@@ -53,6 +56,22 @@ int digits_between(double x, double other) {
   for (int d = kUsualDigits; d <= kAllDigits; ++d)
     if (with_digits(x, d) != with_digits(other, d)) return d;
   return kUsualDigits;
+}
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  std::int64_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> decimal_number(std::string_view text) {
+  if (text.find_first_not_of("+-.0123456789eE") != text.npos) return std::nullopt;
+  std::istringstream in{std::string(text)};
+  in.imbue(std::locale::classic());
+  double x = 0.0;
+  if (!(in >> x) || in.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  return x;
 }
 
 std::string format_number(double x) { return with_digits(x, kUsualDigits); }

@@ -1,7 +1,10 @@
-// Formats numbers as text for users and for files.
+// Formats numbers as text for users and for files, and reads numbers from text.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace gearwright {
 
@@ -37,6 +40,11 @@ int digits_between(double x, double other);
 
 /// A rough count with three significant digits, without an exponent below 10⁶: 1020, 2.5e+10.
 std::string rough_count(double x);
+
+/// The whole number or the finite decimal number of which a text consists, in every locale. Returns
+/// none for all other texts, such as texts with spaces, hexadecimal numbers, "inf" and "nan".
+std::optional<std::int64_t> whole_number(std::string_view text);
+std::optional<double> decimal_number(std::string_view text);
 
 /// A number with six significant digits, as it is written in a sentence.
 std::string format_number(double x);

@@ -15,17 +15,21 @@ namespace {
 // from a valid U+FFFD, which has three bytes.
 constexpr Utf8Point kWrong{0xFFFD, 1};
 
+bool is_wrong(const Utf8Point& point) {
+  return point.code == kWrong.code && point.bytes == kWrong.bytes;
+}
+
 }  // namespace
 
 std::string printable(const std::string& text, std::size_t most) {
   std::string out;
   std::string_view rest = text;
   while (!rest.empty() && out.size() < most) {
-    const auto [code, bytes] = first_of_utf8(rest);
-    const bool invalid = code == kWrong.code && bytes == kWrong.bytes;
+    const Utf8Point point = first_of_utf8(rest);
+    const auto [code, bytes] = point;
     const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
     for (const char c : rest.substr(0, bytes)) {
-      if (invalid || control) {
+      if (control || is_wrong(point)) {
         out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
       } else {
         out += c;
@@ -65,6 +69,26 @@ std::u32string code_points(std::string_view utf8) {
   return points;
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const Utf8Point point = first_of_utf8(text);
+    if (is_wrong(point)) return false;
+    text.remove_prefix(point.bytes);
+  }
+  return true;
+}
+
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -73,6 +97,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     at = end + 1;
   }
   return parts;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view of) {
+  const std::size_t begin = std::min(text.find_first_not_of(of), text.size());
+  return text.substr(begin, text.find_last_not_of(of) + 1 - begin);
 }
 
 std::string enumerated(const std::vector<std::string>& words) {

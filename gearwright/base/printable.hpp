@@ -30,8 +30,22 @@ Utf8Point first_of_utf8(std::string_view text);
 
 std::u32string code_points(std::string_view utf8);
 
+/// True if every code point of the text is complete and valid.
+bool is_utf8(std::string_view text);
+
+/// True for the first byte of each code point of a text in UTF-8.
+constexpr bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+/// The number of code points of a text in UTF-8.
+std::size_t character_count(std::string_view text);
+
+/// The text with the letters A to Z in lower case, in every locale.
+std::string lower_case(std::string_view text);
+
 /// The parts of a text between the separators. A text without a separator is one part.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The text without these characters at its begin and at its end.
+std::string_view trimmed(std::string_view text, std::string_view of = " \t\r\n");
 
 /// "a", "a and b", "a, b and c".
 std::string enumerated(const std::vector<std::string>& words);

@@ -26,4 +26,20 @@ inline constexpr double kMetresPerMm = 1e-3;
 constexpr double newton_metres(double torque) { return torque / kMmPerM; }
 constexpr double from_newton_metres(double torque_Nm) { return torque_Nm * kMmPerM; }
 
+// Convert between the power, the torque and the speed of a shaft, P = T ω and ω = 2π n/60, in kW,
+// N m, rad/s and 1/min.
+
+inline constexpr double kWattsPerKilowatt = 1e3;
+inline constexpr double kSecondsPerMinute = 60.0;
+
+constexpr double radians_per_second(double speed_rpm) {
+  return speed_rpm * 2 * std::numbers::pi / kSecondsPerMinute;
+}
+constexpr double kilowatts(double torque_Nm, double speed_rpm) {
+  return torque_Nm * speed_rpm * 2 * std::numbers::pi / kSecondsPerMinute / kWattsPerKilowatt;
+}
+constexpr double torque_of_power(double power_kW, double speed_rpm) {
+  return power_kW * kWattsPerKilowatt / radians_per_second(speed_rpm);
+}
+
 }  // namespace gearwright

@@ -141,6 +141,6 @@ class ShellWriter {
 ///
 /// Domain    fit = fit_modified(teeth, …), or its mirror image for the half at z < 0 (contract)
 Rims add_modified_teeth(ShellWriter& shell, const ModifiedTeeth& teeth, const Band& band,
-                        const ModifiedFit& fit, Side side, const Rim* base = nullptr);
+                        const ModifiedFit& fit, Side side, const Rim* base);
 
 }  // namespace gearwright::brep

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
@@ -170,8 +171,7 @@ class Workpieces {
   bool clocked(std::size_t body) const {
     return std::any_of(drive_.sets.begin(), drive_.sets.end(), [&](const PlanetSet& set) {
       const auto& riders = set.group.riders;
-      return !set.assembly.clocking.empty() &&
-             std::find(riders.begin(), riders.end(), body) != riders.end();
+      return !set.assembly.clocking.empty() && is_in(body, riders);
     });
   }
 

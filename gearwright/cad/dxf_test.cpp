@@ -105,17 +105,7 @@ struct Polyline {
 };
 
 std::vector<ToothedBody> dxf_bodies() {
-  ToothedBody keyed = testing::sample_body({});
-  keyed.bore = Bore{16.0, 5.0, 2.3};
-  ToothedBody bored = testing::sample_body({.teeth = 31, .beta = 0.3, .chamfer = 0.2});
-  bored.bore = Bore{20.0};
-  return {keyed,
-          bored,
-          testing::sample_body({.pointed = true, .full_radius_root = true}),
-          testing::undercut_body(8, 2.0, 1.25, 0.8, 0.0, 10.0),
-          testing::few_tooth_body(1, 5.0, 0.0, 10.0),
-          testing::few_tooth_body(2, 5.0, 0.0, 10.0),
-          testing::ring_body(40, 2.0, 0.0, 10.0, 100.0)};
+  return testing::bodies_with(testing::few_tooth_body(1, 5.0, 0.0, 10.0));
 }
 
 Drawing dxf_drawing_of(const ToothedBody& body, const ContourOptions& options = {}) {

@@ -10,7 +10,6 @@
 #include "gearwright/cad/drawing.hpp"
 #include "gearwright/cad/sheet_callouts.hpp"
 #include "gearwright/cad/sheet_page.hpp"
-#include "gearwright/cad/sheet_parts.hpp"
 #include "gearwright/cad/sheet_symbols.hpp"
 
 namespace gearwright {
@@ -65,9 +64,7 @@ class GearViews : public SheetViews {
     return {{-left_, -k_ * body_ - kFirst - 4}, {axial_ + width_ + right_, up}};
   }
 
-  void draw(Sheet& sheet, const Vec2& origin) override {
-    sheet_ = &sheet;
-    origin_ = origin;
+  void draw() override {
     transverse();
     axial();
   }
@@ -135,9 +132,6 @@ class GearViews : public SheetViews {
     return radii;
   }
 
-  void line(SheetLayer layer, const Vec2& a, const Vec2& b) {
-    sheet_->line(layer, origin_ + a, origin_ + b);
-  }
   void path(const std::vector<Vec2>& points, const std::vector<double>& bulges) {
     SheetPath path{kOutline, {}, bulges, true};
     for (const Vec2& p : points) path.points.emplace_back(origin_ + k_ * p);
@@ -223,9 +217,7 @@ class GearViews : public SheetViews {
       place += kNext;
     }
     const double y = -k_ * body_;
-    draw_dimension(*sheet_,
-                   {Direction::across, origin_.x() + x0, origin_.x() + x1, origin_.y() + y,
-                    origin_.y() + y, origin_.y() + y - kFirst, length(input_.body.face_width)});
+    add({Direction::across, x0, x1, y, y, y - kFirst, length(input_.body.face_width)});
     callouts_->draw(*sheet_, origin_ + Vec2(x0, 0));
   }
 
@@ -252,11 +244,6 @@ class GearViews : public SheetViews {
   Dimension upward(double lo, double hi, double edge, double place, std::string words) const {
     return {Direction::up, k_ * lo, k_ * hi, edge, edge, place, std::move(words)};
   }
-  void add(Dimension d) {
-    for (double* y : {&d.begin, &d.end}) *y += origin_.y();
-    for (double* x : {&d.edge_begin, &d.edge_end, &d.line}) *x += origin_.x();
-    draw_dimension(*sheet_, d);
-  }
 
   const GearSheetInput& input_;
   const BiarcChain& outline_;
@@ -267,8 +254,6 @@ class GearViews : public SheetViews {
   // margin of the axial view
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;
   std::optional<Callouts> callouts_;
-  Sheet* sheet_ = nullptr;
-  Vec2 origin_ = Vec2::Zero();
 };
 
 }  // namespace
@@ -283,10 +268,9 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   const std::string datum = body.ring() ? "axis of the rim"
                             : body.bore ? "axis of the bore"
                                         : "axis of the gear";
-  return on_page({input.words, input.data, input.number, input.mass, datum, input.units, size},
-                 outline->deviation_mm, [&](double scale) {
-                   return std::make_unique<GearViews>(input, *outline, *contour, scale);
-                 });
+  return on_page(input, datum, size, outline->deviation_mm, [&](double scale) {
+    return std::make_unique<GearViews>(input, *outline, *contour, scale);
+  });
 }
 
 }  // namespace gearwright

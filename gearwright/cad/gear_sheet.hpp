@@ -36,16 +36,20 @@ struct SurfaceRequirements {
   std::string tip_runout, face_runout;  ///< circular runout to the axis, in the unit of the sheet
 };
 
-struct GearSheetInput {
-  ToothedBody body;
-  double reference_diameter;          ///< d    mm
-  std::vector<DataGroup> data;        ///< in the order of the table
+/// The content of the sheet of any part, apart from its shape.
+struct SheetInput {
   DrawingInput words;                 ///< text of the title block, and the fits of bore and keyway
-  std::string tip_fit;                ///< fit of the tip diameter; empty if there is none
-  SurfaceRequirements surfaces;       ///< runout and texture, with symbols in the axial section
-  std::string mass;                   ///< "0.41 kg", empty if unknown
+  std::vector<DataGroup> data;        ///< in the order of the table
+  SurfaceRequirements surfaces;       ///< runout and texture, with symbols in the views
   std::string number;                 ///< number of the sheet, such as "1/2"
   UnitSystem units = UnitSystem::mm;  ///< unit of the dimensions; inches have four decimals
+  std::string mass{};                 ///< "0.41 kg", empty if unknown
+};
+
+struct GearSheetInput : SheetInput {
+  ToothedBody body;
+  double reference_diameter;  ///< d    mm
+  std::string tip_fit;        ///< fit of the tip diameter; empty if there is none
 };
 
 struct GearSheet {

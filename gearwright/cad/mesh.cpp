@@ -305,10 +305,10 @@ class GearMesh {
 }  // namespace
 
 Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& options) {
-  if (body.rack) return tessellate_rack(body, options);
   GW_EXPECTS(options.chord_tolerance_mm > 0.0);
   const double facet_turn = options.facet_turn_max.rad();
   GW_EXPECTS(facet_turn > 0.0 && facet_turn <= kPi / 4.0);
+  if (body.rack) return tessellate_rack(body, options);
   const std::vector<SolidGear> gears = body.gears();
   const double reach = body.bore ? bore_reach(*body.bore) : 0.0;
   std::vector<GearMesh> parts;

@@ -106,7 +106,7 @@ class MeshBuilder {
 
   static Shades shades(const std::vector<char>& crease);
   void add_ring(const Ring& ring, const std::vector<char>& crease, int copies,
-                const WallEnds* below = nullptr);
+                const WallEnds* below);
   WallEnds add_quads(std::size_t bottom, std::size_t second, std::size_t first_shaded, int steps,
                      const WallEdges& edges, int copies, bool inward);
   void add_shaded(std::uint32_t vertex, const Vec3& normal);

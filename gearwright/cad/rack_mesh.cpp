@@ -185,9 +185,6 @@ class RackMesher {
 }  // namespace
 
 Result<TriangleMesh> tessellate_rack(const ToothedBody& body, const MeshOptions& options) {
-  GW_EXPECTS(options.chord_tolerance_mm > 0.0);
-  const double facet_turn = options.facet_turn_max.rad();
-  GW_EXPECTS(facet_turn > 0.0 && facet_turn <= kPi / 4.0);
   RackMesher mesher(body, options);
   const std::vector<Facet> facets = mesher.facets();
   if (4.0 * static_cast<double>(facets.size()) > kMostVertices) {

@@ -9,7 +9,6 @@
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
 #include "gearwright/cad/sheet_page.hpp"
-#include "gearwright/cad/sheet_parts.hpp"
 #include "gearwright/cad/sheet_symbols.hpp"
 
 namespace gearwright {
@@ -49,9 +48,7 @@ class RackViews : public SheetViews {
     return {{-right_ - kFirst - kUsual - 2, low - 1}, {right, caption() + kUsual + 1}};
   }
 
-  void draw(Sheet& sheet, const Vec2& origin) override {
-    sheet_ = &sheet;
-    origin_ = origin;
+  void draw() override {
     section();
     end_view();
     plan();
@@ -147,19 +144,9 @@ class RackViews : public SheetViews {
             length_text(input_.units, input_.rack.face_width)};
   }
 
-  void line(SheetLayer layer, const Vec2& a, const Vec2& b) {
-    sheet_->line(layer, origin_ + a, origin_ + b);
-  }
   void path(SheetLayer layer, std::vector<Vec2> points, std::vector<double> bulges, bool closed) {
     for (Vec2& p : points) p += origin_;
     sheet_->paths.push_back({layer, std::move(points), std::move(bulges), closed});
-  }
-  void add(Dimension d) {
-    const bool up = d.direction == Direction::up;
-    const Vec2 along(up ? origin_.y() : origin_.x(), up ? origin_.x() : origin_.y());
-    for (double* x : {&d.begin, &d.end}) *x += along.x();
-    for (double* x : {&d.edge_begin, &d.edge_end, &d.line}) *x += along.y();
-    draw_dimension(*sheet_, d);
   }
 
   // Draws two straight lines with a zigzag in the middle.
@@ -266,8 +253,6 @@ class RackViews : public SheetViews {
   // mm on paper, in this order: right end of the section (the left end is at −right_), back, tips,
   // shelf of the flank texture, left end of the end view, face width, upper edge of the plan
   double right_ = 0, back_ = 0, tip_ = 0, shelf_ = 0, end_ = 0, face_ = 0, top_ = 0;
-  Sheet* sheet_ = nullptr;
-  Vec2 origin_ = Vec2::Zero();
 };
 
 }  // namespace
@@ -281,8 +266,7 @@ Result<GearSheet> rack_sheet(const RackSheetInput& input, SheetSize size, double
   if (!contour) return contour.error();
   const auto outline = biarc_contour(body->outline, contour->teeth, tolerance_mm);
   if (!outline) return outline.error();
-  return on_page({input.words, input.data, input.number, "", "back of the rack", input.units, size},
-                 outline->deviation_mm,
+  return on_page(input, "back of the rack", size, outline->deviation_mm,
                  [&](double scale) { return std::make_unique<RackViews>(input, *outline, scale); });
 }
 

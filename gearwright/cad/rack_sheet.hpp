@@ -7,9 +7,6 @@
 // (ISO 128) interrupt its views. The views then show only the teeth at both ends.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gearwright/cad/gear_sheet.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
@@ -18,13 +15,8 @@ namespace gearwright {
 inline constexpr int kTeethInFull = 12;
 inline constexpr int kTeethAtEnd = 3;  ///< drawn teeth at each end of an interrupted view
 
-struct RackSheetInput {
+struct RackSheetInput : SheetInput {
   RackGeometry rack;
-  std::vector<DataGroup> data;        ///< in the order of the table
-  DrawingInput words;                 ///< text of the title block
-  SurfaceRequirements surfaces;       ///< textures of flanks and faces
-  std::string number;                 ///< number of the sheet, such as "2/2"
-  UnitSystem units = UnitSystem::mm;  ///< unit of the dimensions; inches have four decimals
 };
 
 /// Makes the drawing of a rack. `tolerance_mm` is the tolerance of the outline, in mm on the rack.

@@ -178,11 +178,11 @@ SectionSpline fit_section(const Arc& arc, double target_mm) {
   return {by_length.basis, by_length.poles, by_length.deviation, true};
 }
 
-HelixSpline fit_helix(double delta, double radius, double target_mm) {
+HelixSpline fit_helix(double delta, double radius) {
   GW_EXPECTS(std::abs(delta) <= std::numbers::pi);
   GW_EXPECTS(radius > 0.0);
   if (delta == 0.0) return {BSplineBasis(1, 2), {1.0, 1.0}, 0.0};
-  const double target = std::max(target_mm / radius, 1e-14);
+  const double target = std::max(kHelixTarget_mm / radius, 1e-14);
   for (int poles = kDegree + 1;; ++poles) {
     GW_ENSURES(poles <= kMaxPoles);
     BSplineBasis basis(kDegree, poles);

@@ -87,11 +87,11 @@ struct HelixSpline {
 };
 
 /// Computes the spline of the rotation by Δ over one slice. The error of the spline at `radius` is
-/// at most `target_mm`.
+/// at most kHelixTarget_mm.
 ///
 /// Units     Δ in rad, signed; mm
 /// Domain    |Δ| ≤ π, radius > 0 (contract)
 /// Accuracy  radius · deviation ≤ max(target, 1e-14 radius); the fit always converges (contract)
-HelixSpline fit_helix(double delta, double radius, double target_mm = kHelixTarget_mm);
+HelixSpline fit_helix(double delta, double radius);
 
 }  // namespace gearwright

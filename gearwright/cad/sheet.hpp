@@ -92,7 +92,7 @@ struct Sheet {
   /// Adds a text that runs upwards and is read from the right. `along` is the alignment in this
   /// direction.
   void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
-                    Along along = Along::start);
+                    Along along);
   /// Adds a symbol with a subscript, such as "α_n".
   void symbol(SheetLayer layer, const Vec2& at, std::string_view symbol, double height);
 };

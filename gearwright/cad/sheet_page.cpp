@@ -9,7 +9,6 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {
 
@@ -71,18 +70,25 @@ std::string computed_length_text(UnitSystem units, double mm) {
   return length_text(units, units == UnitSystem::mm ? std::round(kUmPerMm * mm) / kUmPerMm : mm);
 }
 
-GearSheet on_page(const SheetPage& page, double deviation_mm,
+void SheetViews::add(Dimension d) {
+  const bool up = d.direction == Direction::up;
+  const Vec2 along(up ? origin_.y() : origin_.x(), up ? origin_.x() : origin_.y());
+  for (double* x : {&d.begin, &d.end}) *x += along.x();
+  for (double* x : {&d.edge_begin, &d.edge_end, &d.line}) *x += along.y();
+  draw_dimension(*sheet_, d);
+}
+
+GearSheet on_page(const SheetInput& part, const std::string& datum, SheetSize size,
+                  double deviation_mm,
                   const std::function<std::unique_ptr<SheetViews>(double)>& views_at) {
-  const bool a4 = page.size == SheetSize::a4;
+  const bool a4 = size == SheetSize::a4;
   Sheet sheet{a4 ? Vec2(210, 297) : Vec2(420, 297), {}, {}, {}};
   const SheetBox frame = draw_frame(sheet);
   const auto title_block = [&](Sheet& to, const std::string& scale) {
-    return draw_title_block(
-        to, frame,
-        {page.words, scale, a4 ? "A4" : "A3", page.number, page.mass, page.datum, page.units});
+    return draw_title_block(to, frame, {part, scale, a4 ? "A4" : "A3", datum});
   };
   Sheet draft = sheet;
-  const TablePlace place = place_of(page.size, frame, title_block(draft, ""), page.data);
+  const TablePlace place = place_of(size, frame, title_block(draft, ""), part.data);
   const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
   for (const Scale& scale : kScales) {
     const auto views = views_at(scale.factor());
@@ -91,8 +97,8 @@ GearSheet on_page(const SheetPage& page, double deviation_mm,
     const bool last = &scale == &kScales.back();
     if (!last && (needed.x() > room.x() || needed.y() > room.y())) continue;
     const std::string words = fmt::format("{:g}:{:g}", scale.paper, scale.gear);
-    views->draw(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
-    draw_data(sheet, place.data, page.data, place.columns);
+    views->draw_at(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
+    draw_data(sheet, place.data, part.data, place.columns);
     title_block(sheet, words);
     return GearSheet{std::move(sheet), words, scale.factor(), deviation_mm};
   }

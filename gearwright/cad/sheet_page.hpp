@@ -5,9 +5,9 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "gearwright/cad/gear_sheet.hpp"
+#include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {
 
@@ -20,21 +20,29 @@ class SheetViews {
   virtual ~SheetViews() = default;
   /// Returns the box that the views occupy, relative to their origin.
   virtual SheetBox box() const = 0;
-  virtual void draw(Sheet& sheet, const Vec2& origin) = 0;
+  void draw_at(Sheet& sheet, const Vec2& origin) {
+    sheet_ = &sheet;
+    origin_ = origin;
+    draw();
+  }
+
+ protected:
+  virtual void draw() = 0;
+  // The positions of lines and dimensions are relative to the origin.
+  void line(SheetLayer layer, const Vec2& a, const Vec2& b) {
+    sheet_->line(layer, origin_ + a, origin_ + b);
+  }
+  void add(Dimension dimension);
+
+  Sheet* sheet_ = nullptr;
+  Vec2 origin_ = Vec2::Zero();
 };
 
-struct SheetPage {
-  const DrawingInput& words;
-  const std::vector<DataGroup>& data;
-  std::string number, mass;  ///< "1/2"; "0.41 kg", empty if unknown
-  std::string datum;         ///< "axis of the bore"
-  UnitSystem units;
-  SheetSize size;
-};
-
-/// Draws the page. `views_at` makes the views for a scale, in mm on paper per mm on the part.
-/// `deviation_mm` is the deviation of the outline.
-GearSheet on_page(const SheetPage& page, double deviation_mm,
+/// Draws the page. `datum` is the text of the datum, such as "axis of the bore". `views_at` makes
+/// the views for a scale, in mm on paper per mm on the part. `deviation_mm` is the deviation of the
+/// outline.
+GearSheet on_page(const SheetInput& part, const std::string& datum, SheetSize size,
+                  double deviation_mm,
                   const std::function<std::unique_ptr<SheetViews>(double)>& views_at);
 
 }  // namespace gearwright

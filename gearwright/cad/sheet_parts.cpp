@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/cad/sheet_symbols.hpp"
 
 namespace gearwright {
@@ -44,7 +45,7 @@ std::string cut(std::string text, double height, double width) {
   constexpr std::string_view kMore = "…";
   while (!text.empty() && text_width(text + std::string(kMore), height) > width) {
     std::size_t last = text.size() - 1;
-    while (last > 0 && (static_cast<unsigned char>(text[last]) & 0xC0) == 0x80) --last;
+    while (last > 0 && !begins_character(text[last])) --last;
     text.erase(last);
   }
   return text + std::string(kMore);

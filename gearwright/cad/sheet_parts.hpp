@@ -21,10 +21,8 @@ inline constexpr double kSmall = 1.8, kUsual = 2.5, kLarge = 3.5;
 SheetBox draw_frame(Sheet& sheet);
 
 struct TitleBlock {
-  const DrawingInput& words;
-  std::string scale, format, number;  ///< "1:2", "A4", "1/2"
-  std::string mass, datum;            ///< "0.41 kg", or empty if unknown; "axis of the bore"
-  UnitSystem units;                   ///< unit of the dimensions
+  const SheetInput& part;
+  std::string scale, format, datum;  ///< "1:2", "A4", "axis of the bore"
 };
 
 /// Draws the title block, 180 mm wide, at the lower right corner of `within`. Returns the box that

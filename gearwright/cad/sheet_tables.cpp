@@ -162,7 +162,7 @@ SheetBox draw_frame(Sheet& sheet) {
 }
 
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block) {
-  const DrawingInput& w = block.words;
+  const DrawingInput& w = block.part.words;
   const double x = within.hi.x() - kWidth;
   double y = within.lo.y();
   const auto row = [&](double least, const std::vector<Cell>& cells, double largest) {
@@ -172,17 +172,17 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
   };
   row(kFieldRow,
       {{25, "Scale", block.scale},
-       {45, "Dimensions in", fmt::format("{}, angles in degrees", to_string(block.units))},
+       {45, "Dimensions in", fmt::format("{}, angles in degrees", to_string(block.part.units))},
        {25, "Projection", ""},
        {40, "Datum A", block.datum},
        {22, "Format", block.format},
-       {23, "Sheet", block.number}},
+       {23, "Sheet", block.part.number}},
       kUsual);
   first_angle(sheet, {x + 84, within.lo.y() + 3.4});
   row(kTitle, {{125, "Title", w.title}, {55, "Drawing number", w.number}}, kLarge);
   row(kFieldRow,
       {{75, "Material", w.material},
-       {25, "Mass", block.mass},
+       {25, "Mass", block.part.mass},
        {45, "Author", w.author},
        {35, "Date", w.date}},
       kUsual);

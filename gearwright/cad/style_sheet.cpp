@@ -4,20 +4,11 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 
 namespace gearwright {
-
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \n";
-  const std::size_t from = std::min(text.find_first_not_of(kSpace), text.size());
-  return text.substr(from, text.find_last_not_of(kSpace) + 1 - from);
-}
-
-}  // namespace
 
 std::vector<std::string_view> trimmed_parts(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -74,9 +65,8 @@ void StyleSheet::apply(std::string_view tag, std::string_view classes, Style& st
   const std::vector<std::string_view> own = trimmed_parts(classes, ' ');
   for (const Rule& rule : rules_) {
     if (!rule.tag.empty() && rule.tag != tag) continue;
-    if (std::all_of(rule.classes.begin(), rule.classes.end(), [&](const std::string& name) {
-          return std::find(own.begin(), own.end(), name) != own.end();
-        }))
+    if (std::all_of(rule.classes.begin(), rule.classes.end(),
+                    [&](const std::string& name) { return is_in(name, own); }))
       apply_declarations(rule.declarations, style);
   }
 }

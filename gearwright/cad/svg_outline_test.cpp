@@ -75,20 +75,6 @@ std::vector<Subpath> subpaths_of(const std::string& text) {
   return paths;
 }
 
-std::vector<ToothedBody> svg_bodies() {
-  ToothedBody keyed = testing::sample_body({});
-  keyed.bore = Bore{16.0, 5.0, 2.3};
-  ToothedBody bored = testing::sample_body({.teeth = 31, .beta = 0.3, .chamfer = 0.2});
-  bored.bore = Bore{20.0};
-  return {keyed,
-          bored,
-          testing::sample_body({.pointed = true, .full_radius_root = true}),
-          testing::undercut_body(8, 2.0, 1.25, 0.8, 0.0, 10.0),
-          testing::plain_body(1, 10.0, 1.0, 14.0, 0.8),
-          testing::few_tooth_body(2, 5.0, 0.0, 10.0),
-          testing::ring_body(40, 2.0, 0.0, 10.0, 100.0)};
-}
-
 Drawing svg_drawing_of(const ToothedBody& body, const SvgOptions& options = {}) {
   const auto drawing = svg_drawing(body, options);
   EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message());
@@ -96,7 +82,8 @@ Drawing svg_drawing_of(const ToothedBody& body, const SvgOptions& options = {}) 
 }
 
 TEST(Svg, AreaIsThatOfTheGear) {
-  for (const ToothedBody& body : svg_bodies()) {
+  for (const ToothedBody& body :
+       testing::bodies_with(testing::plain_body(1, 10.0, 1.0, 14.0, 0.8))) {
     for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
       const Drawing drawing = svg_drawing_of(body, {.tolerance_mm = tolerance});
       EXPECT_LE(drawing.deviation_mm, tolerance);

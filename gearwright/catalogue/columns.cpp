@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 
 namespace gearwright {
 
@@ -19,8 +20,7 @@ void add(const QuantityTable& table, const RecordColumn& around, std::vector<Rec
 }
 
 void add(const QuantityTable& table, std::vector<const QuantityTable*>& all) {
-  if (std::find(all.begin(), all.end(), &table) != all.end()) return;
-  all.push_back(&table);
+  if (!add_once(all, &table)) return;
   for (const QuantityInfo* info : table.list)
     if (info->of) add(info->of(), all);
 }

@@ -17,10 +17,9 @@ std::string in_words(const std::vector<ErrorValue>& errors) {
   std::string text;
   for (const auto& [index, value] : errors) {
     const ErrorEntry& e = error_entries()[index];
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", e.words, value,
-                        e.unit() == "deg"  ? "°"
-                        : e.unit() == "um" ? " µm"
-                                           : " mm");
+    const Unit unit = unit_of(e.key);
+    text += fmt::format("{}{} {}{}{}", text.empty() ? "" : ", ", e.words, value,
+                        unit == Unit::deg ? "" : " ", unit_text(unit));
   }
   return text;
 }

@@ -1,8 +1,8 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
@@ -80,9 +80,7 @@ std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
   if (speeds_rpm.empty() || speeds_rpm.front() == 0.0)
     return "needs the speed of the input, which must not be 0; give speed_rpm, or give torque_Nm "
            "in place of the power";
-  constexpr double kWattsPerKilowatt = 1e3, kSecondsPerMinute = 60.0;
-  torque_Nm = power_kW * kWattsPerKilowatt * kSecondsPerMinute /
-              (2 * std::numbers::pi * speeds_rpm.front());
+  torque_Nm = torque_of_power(power_kW, speeds_rpm.front());
   constexpr double kMostTorque_Nm = 1e9;
   if (!(std::abs(*torque_Nm) <= kMostTorque_Nm))
     return "gives a torque of more than 1e9 N m at this speed; give a greater speed_rpm or less "

@@ -1,7 +1,6 @@
 #include "gearwright/catalogue/drive_quantities.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
@@ -301,8 +300,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
     q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
       if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};
-      return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm * *n * 2 * std::numbers::pi /
-             60.0 / 1000.0;
+      return kilowatts(v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm, *n);
     });
   });
 }

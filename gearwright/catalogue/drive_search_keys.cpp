@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/design/drive_search.hpp"
@@ -38,9 +37,7 @@ Key of_set(std::string_view key, std::string_view fallback = {}) {
 // for drives.
 std::string_view drive_objective_called(std::string_view word) {
   const std::string_view objective = objective_called(word);
-  const auto& names = kDriveObjectiveNames;
-  return std::find(names.begin(), names.end(), objective) == names.end() ? std::string_view()
-                                                                         : objective;
+  return is_in(objective, kDriveObjectiveNames) ? objective : std::string_view();
 }
 
 Key normal_modules() {

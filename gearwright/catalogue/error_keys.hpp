@@ -33,7 +33,7 @@ struct ErrorEntry {
   double si() const;                                       ///< factor from the unit of the key to
                                                            ///< rad or mm
   /// The key without its unit, for example "crossing" for crossing_deg.
-  std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }
+  std::string_view name() const { return without_unit(key); }
   bool of_cutter() const { return gear != 0 && unit() == "deg"; }
   std::string member() const;  ///< member of ContactErrors, "cutter_lead[0]"
 };

@@ -1,13 +1,10 @@
 #include "gearwright/catalogue/figure_units.hpp"
 
-#include <array>
 #include <utility>
 
 namespace gearwright {
 
 namespace {
-
-constexpr std::array kConverted{Unit::mm_per_rad, Unit::mm, Unit::um, Unit::per_mm, Unit::kg};
 
 class FigureConverter {
  public:
@@ -85,9 +82,10 @@ class FigureConverter {
 }  // namespace
 
 TextUnit::TextUnit(UnitSystem units, std::string_view unit) : units_(units), rest_(unit) {
-  for (const Unit one : kConverted) {
+  if (units == UnitSystem::mm) return;
+  for (const Unit one : units_to_convert()) {
     const std::string_view text = unit_text(one);
-    if (units == UnitSystem::mm || !unit.starts_with(text)) continue;
+    if (!unit.starts_with(text)) continue;
     std::string_view rest = unit.substr(text.size());
     const bool square = rest.starts_with("²");
     if (square) rest.remove_prefix(std::string_view("²").size());

@@ -7,22 +7,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/term.hpp"
+
 namespace gearwright {
-
-namespace {
-
-// The units with which keys end. The names of struct members end without a unit.
-constexpr std::array<std::string_view, 6> kUnitEndings{"mm",     "deg",    "um",
-                                                       "per_in", "arcsec", "rpm"};
-constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
-                                                         "HV", "m2", "m2K_per_W", "kg_per_m3"};
-
-bool ends_with_unit(std::string_view key, std::string_view unit) {
-  return key.size() > unit.size() && key.ends_with(unit) &&
-         key[key.size() - unit.size() - 1] == '_';
-}
-
-}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // rows[i % 3][j] is the distance between the first i letters of a and the first j letters of b.
@@ -65,9 +54,12 @@ std::string KeyRange::sentence(double value) const {
 }
 
 std::string_view key_unit(std::string_view key) {
-  for (const std::string_view unit : kUnitEndings)
-    if (ends_with_unit(key, unit)) return unit;
-  return {};
+  const std::string_view suffix = unit_suffix(unit_of(key));
+  return suffix.empty() ? suffix : suffix.substr(1);
+}
+
+std::string_view without_unit(std::string_view key) {
+  return key.substr(0, key.size() - unit_suffix(unit_of(key)).size());
 }
 
 namespace {
@@ -135,10 +127,7 @@ Key Key::part(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
 std::vector<std::string> Key::members() const {
   if (!fields.empty()) return fields;
   const std::string_view name = alias.of.empty() ? key : alias.of;
-  std::string_view unit = key_unit(name);
-  for (const std::string_view other : kStrengthUnits)
-    if (ends_with_unit(name, other)) unit = other;
-  return {std::string(unit.empty() ? name : name.substr(0, name.size() - unit.size() - 1))};
+  return {std::string(without_unit(name))};
 }
 
 const Key* KeyTable::find(std::string_view name) const {
@@ -156,8 +145,7 @@ KeyTable KeyTable::only(const std::vector<std::string_view>& kept) const {
 KeyTable KeyTable::without(const std::vector<std::string_view>& left_out) const {
   KeyTable rest{name, meaning, {}};
   for (const Key& key : keys)
-    if (std::find(left_out.begin(), left_out.end(), key.key) == left_out.end())
-      rest.keys.push_back(key);
+    if (!is_in(key.key, left_out)) rest.keys.push_back(key);
   return rest;
 }
 
@@ -219,12 +207,7 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
   constexpr std::size_t kLeastPart = 3;   // least length of a word that may be a part of another
                                           // word
-  const auto small = [](std::string_view text) {
-    std::string letters(text.substr(0, 80));
-    for (char& c : letters)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return letters;
-  };
+  const auto small = [](std::string_view text) { return lower_case(text.substr(0, 80)); };
   const std::string given = small(word);
   std::string best;
   const auto look = [&](std::size_t below, auto letters_off) {

@@ -207,9 +207,10 @@ struct KeyTable {
   std::vector<std::string> ways(std::string_view key) const;
 };
 
-/// Returns the unit at the end of a key, without the underscore: mm, deg, um, per_in, arcsec or
-/// rpm. Returns an empty text if the key ends with none of these units, for example power_kW.
+/// Returns the unit at the end of a key, without the underscore, for example "deg". The text is
+/// empty if the key has no unit. The other function returns the key without this ending.
 std::string_view key_unit(std::string_view key);
+std::string_view without_unit(std::string_view key);
 
 /// Returns the permitted values as part of a sentence, for example "a number". If the key has a
 /// Key::form, the function returns this form.

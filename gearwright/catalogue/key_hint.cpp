@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
@@ -38,11 +39,6 @@ constexpr std::array<Letter, 12> kLetters{{{"α", "alpha"},
                                            {"σ", "sigma"},
                                            {"τ", "tau"},
                                            {"ψ", "psi"}}};
-
-std::string_view without_unit(std::string_view key) {
-  const std::string_view unit = key_unit(key);
-  return unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1);
-}
 
 // The name of a key in the form for comparison, both with its unit and without its unit.
 struct Word {
@@ -187,9 +183,8 @@ const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = split(name, '_');
   return cheapest(table, -kLikeWords, [&](const Key& key) {
     const auto own = split(key.key, '_');
-    const auto common = std::count_if(own.begin(), own.end(), [&](std::string_view w) {
-      return std::find(words.begin(), words.end(), w) != words.end();
-    });
+    const auto common =
+        std::count_if(own.begin(), own.end(), [&](std::string_view w) { return is_in(w, words); });
     return -static_cast<double>(common) / static_cast<double>(std::max(own.size(), words.size()));
   });
 }

@@ -267,6 +267,7 @@ TEST(Keys, ranges_in_words) {
 TEST(Keys, units_and_members_stand_in_the_names) {
   EXPECT_EQ(key_unit("helix_angle_deg"), "deg");
   EXPECT_EQ(key_unit("normal_diametral_pitch_per_in"), "per_in");
+  EXPECT_EQ(key_unit("power_kW"), "kW");
   EXPECT_EQ(key_unit("teeth"), "");
   using Members = std::vector<std::string>;
   EXPECT_EQ((Key{.key = "helix_angle_deg", .meaning = ""}).members(), Members{"helix_angle"});

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/printable.hpp"
 
 namespace gearwright {
 
@@ -42,9 +43,7 @@ Key by_temperature(std::string_view key, std::string_view symbol,
 bool names_plastic(std::string_view name) {
   constexpr std::array kPlastics{"abs", "delrin", "lcp", "nylon", "pa",  "pbt", "pc",   "peek",
                                  "pei", "pet",    "pla", "poly",  "pom", "pps", "ptfe", "uhmw"};
-  std::string lower(name.substr(0, name.find_first_of(" -0123456789")));
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lower_case(name.substr(0, name.find_first_of(" -0123456789")));
   return std::any_of(kPlastics.begin(), kPlastics.end(), [&](std::string_view plastic) {
     return lower == plastic || (plastic.size() > 3 && lower.starts_with(plastic));
   });
@@ -57,7 +56,7 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
     return std::nullopt;
   std::vector<std::string> known;
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
-  if (std::find(known.begin(), known.end(), *m.name) != known.end()) return std::nullopt;
+  if (is_in(*m.name, known)) return std::nullopt;
   if (names_plastic(*m.name)) {
     return KeyFault{
         "name",

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/rating/rated_pair.hpp"
 
 namespace gearwright {
@@ -94,10 +94,8 @@ std::optional<KeyFault> complete_load(RatingTable& rating) {
     if (!rating.torque && !rating.power && !rating.output_torque) rating.torque = worst.torque;
     if (!in.speed) in.speed = worst.speed;
   }
-  constexpr double kWattPerKilowatt = 1000.0;
   if (rating.power) {
-    const double omega = *in.speed * 2 * std::numbers::pi / 60.0;
-    const double torque = *rating.power * kWattPerKilowatt / omega;
+    const double torque = torque_of_power(*rating.power, *in.speed);
     if (rating.torque && std::abs(torque - *rating.torque) > 1e-9 * torque) {
       return KeyFault{"torque_Nm", fmt::format("contradicts power_kW = {}, which is {} N m at this "
                                                "speed; leave out one of the two keys",

@@ -1,7 +1,6 @@
 #include "gearwright/catalogue/rating_quantities.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/units.hpp"
 
@@ -196,7 +195,7 @@ void add_inputs(Quantities<RatingAnswer>& q) {
          [](const RatingAnswer& v) { return name(v.rating.edition); });
   q.under(kRatedLoad);
   q.term("power_kW", "null without a speed", [](const RatingAnswer& v) {
-    const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
+    const double power = kilowatts(v.input.torque, speed(v));
     return power > 0 ? Value(power) : Value();
   });
   q.number("torque_Nm", "torque", "T", "torque on each gear under the nominal load",

@@ -1,8 +1,8 @@
 #include "gearwright/catalogue/spec_keys.hpp"
 
-#include <algorithm>
 #include <set>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
@@ -78,7 +78,7 @@ std::vector<const KeyTable*> all_key_tables() {
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (const Key& key : list[i]->keys) {
       for (const auto table : key.tables) {
-        if (std::find(list.begin(), list.end(), &table()) == list.end()) list.push_back(&table());
+        add_once(list, &table());
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 
 namespace gearwright {
@@ -15,13 +16,22 @@ namespace {
 
 constexpr long double kMm = 25.4L, kUm = 0.0254L;
 
-// The first row with a matching ending is used, so longer endings come before shorter ones.
-constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false},
-                               KeyUnit{"_mm_per_turn", "_in_per_turn", kMm, false},
-                               KeyUnit{"_per_mm", "_per_in", kMm, true},
-                               KeyUnit{"_per_um", "_per_uin", kUm, true},
-                               KeyUnit{"_mm", "_in", kMm, false},
-                               KeyUnit{"_um", "_uin", kUm, false}};
+// A unit that the inch system replaces. Some units occur only in keys.
+struct UnitPair {
+  KeyUnit key;
+  Unit metric = Unit::none, inch = Unit::none;
+};
+
+// The first row with a matching ending is used, so longer endings come before shorter ones. Keys of
+// masses end in "_kg" in both systems, so the last row has no ending.
+constexpr std::array kUnitPairs{
+    UnitPair{{"_mm_per_rad", "_in_per_rad", kMm, false}, Unit::mm_per_rad, Unit::inch_per_rad},
+    UnitPair{{"_mm_per_turn", "_in_per_turn", kMm, false}},
+    UnitPair{{"_per_mm", "_per_in", kMm, true}, Unit::per_mm, Unit::per_inch},
+    UnitPair{{"_per_um", "_per_uin", kUm, true}},
+    UnitPair{{"_mm", "_in", kMm, false}, Unit::mm, Unit::inch},
+    UnitPair{{"_um", "_uin", kUm, false}, Unit::um, Unit::microinch},
+    UnitPair{{"", "", 0.45359237L, false}, Unit::kg, Unit::pound}};
 
 // Keys that have the same name in both systems, although the rule for endings would give them
 // another name in the other system. The list also contains these other names.
@@ -43,18 +53,14 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
 // members of `samples` have their own units.
 constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
-template <class List>
-bool is_one_of(const List& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 // Returns the unit at the end of one key, without its index.
 const KeyUnit* unit_at_end(std::string_view key, std::string_view KeyUnit::*ending) {
   const bool force = key.find("_N_") != std::string_view::npos || key.ends_with("_per_N");
-  if (force || is_one_of(kInBoth, key)) return nullptr;
-  const auto it = std::find_if(kKeyUnits.begin(), kKeyUnits.end(),
-                               [&](const KeyUnit& u) { return key.ends_with(u.*ending); });
-  return it == kKeyUnits.end() ? nullptr : &*it;
+  if (force || is_in(key, kInBoth)) return nullptr;
+  for (const UnitPair& pair : kUnitPairs)
+    if (const std::string_view end = pair.key.*ending; !end.empty() && key.ends_with(end))
+      return &pair.key;
+  return nullptr;
 }
 
 std::string_view without_index(std::string_view key) { return key.substr(0, key.find('[')); }
@@ -92,22 +98,8 @@ double rounded(double x, int digits) {
 
 constexpr int kSafeDigits = 15;  // every decimal of 15 digits survives a conversion to double
 
-struct UnitPair {
-  Unit metric, inch;
-  const KeyUnit* ratio;
-};
-
-// The unit of masses that users see. Keys of masses end in "_kg" in both systems.
-constexpr KeyUnit kMass{"_kg", "_lb", 0.45359237L, false};
-
-constexpr std::array kUnitPairs{UnitPair{Unit::mm_per_rad, Unit::inch_per_rad, &kKeyUnits[0]},
-                                UnitPair{Unit::per_mm, Unit::per_inch, &kKeyUnits[2]},
-                                UnitPair{Unit::mm, Unit::inch, &kKeyUnits[4]},
-                                UnitPair{Unit::um, Unit::microinch, &kKeyUnits[5]},
-                                UnitPair{Unit::kg, Unit::pound, &kMass}};
-
 const UnitPair* pair_of(UnitSystem units, Unit unit) {
-  if (units == UnitSystem::mm) return nullptr;
+  if (units == UnitSystem::mm || unit == Unit::none) return nullptr;
   const auto it = std::find_if(kUnitPairs.begin(), kUnitPairs.end(),
                                [&](const UnitPair& p) { return p.metric == unit; });
   return it == kUnitPairs.end() ? nullptr : &*it;
@@ -117,6 +109,13 @@ const UnitPair* pair_of(UnitSystem units, Unit unit) {
 
 std::string_view to_string(UnitSystem units) { return units == UnitSystem::mm ? "mm" : "inch"; }
 
+std::vector<Unit> units_to_convert() {
+  std::vector<Unit> units;
+  for (const UnitPair& pair : kUnitPairs)
+    if (pair.metric != Unit::none) units.push_back(pair.metric);
+  return units;
+}
+
 Unit unit_in(UnitSystem units, Unit unit) {
   const UnitPair* pair = pair_of(units, unit);
   return pair ? pair->inch : unit;
@@ -124,14 +123,14 @@ Unit unit_in(UnitSystem units, Unit unit) {
 
 double value_in(UnitSystem units, Unit unit, double value) {
   const UnitPair* pair = pair_of(units, unit);
-  return pair ? pair->ratio->to_inch(value) : value;
+  return pair ? pair->key.to_inch(value) : value;
 }
 
 int digits_in(UnitSystem units, Unit unit, int digits) {
   const UnitPair* pair = pair_of(units, unit);
   if (!pair || unit == Unit::kg) return digits;
   // True if the inch unit is larger than the metric unit, as 1 in is larger than 1 mm.
-  const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;
+  const bool larger = (pair->key.size > 1) != pair->key.inverse;
   return std::max(0, digits + (larger ? 1 : -1));
 }
 
@@ -164,7 +163,7 @@ const KeyUnit* metric_unit(std::string_view key) { return unit_with(key, &KeyUni
 const KeyUnit* inch_unit(std::string_view key) { return unit_with(key, &KeyUnit::inch); }
 
 bool is_in_unit_of_table(std::string_view key) {
-  return unit_of(key) == Unit::none && !is_one_of(kPureNumbers, key);
+  return unit_of(key) == Unit::none && !is_in(key, kPureNumbers);
 }
 
 std::string key_in(UnitSystem units, std::string_view key) {

@@ -10,6 +10,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gearwright/catalogue/term.hpp"
 
@@ -19,6 +20,8 @@ enum class UnitSystem { mm, inch };  ///< the order of the words of the key `uni
 
 std::string_view to_string(UnitSystem units);
 
+/// Returns the units of the catalogue that the inch system replaces.
+std::vector<Unit> units_to_convert();
 /// Returns the unit that replaces a unit of the catalogue in this system, for example inch for mm.
 Unit unit_in(UnitSystem units, Unit unit);
 /// Returns a value in the unit that replaces `unit`. The result is the number with the fewest

@@ -30,7 +30,7 @@ struct SectionModes {
 /// one step of `progress`.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
-                           Progress* progress = nullptr);
+                           Progress* progress);
 
 /// Returns the displacements of the section in plane strain under loads that are uniform along the
 /// face. They are computed directly, without modes.

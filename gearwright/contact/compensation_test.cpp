@@ -51,6 +51,10 @@ struct Case {
   }
 };
 
+ContactScore score_of(const ContactPair& pair, int positions) {
+  return contact_curve(pair, positions, {}).score;
+}
+
 // f of [T8.24], computed again from curves only; infinite for corrections that are not allowed.
 double value_of(const Case& c, const CompensationTask& t, const std::vector<double>& um, double w,
                 double limit) {

@@ -63,11 +63,6 @@ ContactCurve contact_curve(const ContactPair& pair, int positions, const Profile
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target);
 
-inline ContactScore score_of(const ContactPair& pair, int positions,
-                             const ProfileTarget& target = {}) {
-  return contact_curve(pair, positions, target).score;
-}
-
 /// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions are
 /// compared by magnitude and keep their sign. A pair without contact is worse than all others.
 void take_worst(ContactScore& worst, const ContactScore& score);

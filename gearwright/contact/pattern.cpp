@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
-
-std::vector<double> spread(double lo, double hi, int n) {
-  std::vector<double> v;
-  for (int i = 0; i < n; ++i) v.push_back(lo + (hi - lo) * (static_cast<double>(i) / (n - 1)));
-  return v;
-}
 
 FlankRaster empty_raster(const ContactPair& pair, int gear, const RasterSize& size) {
   double u_lo = kInfinity;
@@ -27,8 +22,8 @@ FlankRaster empty_raster(const ContactPair& pair, int gear, const RasterSize& si
     z_hi = std::max(z_hi, p.z_hi);
   }
   FlankRaster r;
-  r.diameter = spread(pair.diameter(gear, u_lo), pair.diameter(gear, u_hi), size.rows);
-  r.height = spread(z_lo, z_hi, size.columns);
+  r.diameter = evenly_spaced(pair.diameter(gear, u_lo), pair.diameter(gear, u_hi), size.rows);
+  r.height = evenly_spaced(z_lo, z_hi, size.columns);
   r.gap.assign(r.diameter.size() * r.height.size(), kInfinity);
   return r;
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/design/drive_space.hpp"
@@ -210,8 +211,7 @@ class SetSearch {
                             : Rational::of((2 * i * places + n) / (2 * n), places));
     const auto phases = mesh_phases(static_cast<int>(meshes.list[0].central), turns);
     const PhasingClass kind = phasing(phases, turns, 1).kind;
-    return std::find(problem_.phasing.begin(), problem_.phasing.end(), kind) !=
-           problem_.phasing.end();
+    return is_in(kind, problem_.phasing);
   }
 
   const DriveSearchProblem& problem_;
@@ -338,7 +338,7 @@ double cosine_of_helix(const DriveSearchProblem& problem) {
 }  // namespace
 
 bool DriveSearchProblem::asks(DriveObjective objective) const {
-  return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
+  return is_in(objective, objectives);
 }
 
 std::vector<SetMember> members_of(const DriveSearchProblem& problem) {

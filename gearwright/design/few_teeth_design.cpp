@@ -196,22 +196,26 @@ class FewTeethSearch {
     return c;
   }
 
-  std::optional<double> distance_at(double beta, double x1, double x2) const {
-    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle.rad()) / std::cos(beta));
+  double transverse_angle(double beta) const {
+    return std::atan(std::tan(p_.normal_pressure_angle.rad()) / std::cos(beta));
+  }
+  // Returns the sum of the base radii; for an internal pair, their difference.
+  double base_distance(double beta) const {
     const int z = p_.teeth[0] + p_.teeth[1];
-    const double inv = nominal_working_involute(p_.teeth[0], p_.teeth[1],
-                                                p_.normal_pressure_angle.rad(), alpha_t, x1 + x2);
+    return p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(transverse_angle(beta));
+  }
+
+  std::optional<double> distance_at(double beta, double x1, double x2) const {
+    const double inv = nominal_working_involute(
+        p_.teeth[0], p_.teeth[1], p_.normal_pressure_angle.rad(), transverse_angle(beta), x1 + x2);
     if (!(inv >= 0.0)) return std::nullopt;
-    const double r = p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(alpha_t);
-    return r / std::cos(inverse_involute(inv));
+    return base_distance(beta) / std::cos(inverse_involute(inv));
   }
 
   double play_of(double beta, double x1, double x2) const {
     if (p_.backlash == 0.0) return 0.0;
     const auto e = distance_at(beta, x1, x2);
-    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle.rad()) / std::cos(beta));
-    const int z = p_.teeth[0] + p_.teeth[1];
-    const double r = p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(alpha_t);
+    const double r = base_distance(beta);
     if (!e || !(*e > r)) return 0.0;
     return p_.backlash / (2 * std::sqrt((*e - r) * (*e + r)) / r);
   }

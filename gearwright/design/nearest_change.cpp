@@ -7,6 +7,7 @@
 #include <random>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/design/strength_change.hpp"
 #include "gearwright/design/whole_overlap.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -326,9 +327,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   // Both ends of a band have the same name. Each name is stored only once.
   for (std::vector<std::string>* fields : {&found.bounded, &found.tried}) {
     std::vector<std::string> once;
-    for (std::string& field : *fields)
-      if (std::find(once.begin(), once.end(), field) == once.end())
-        once.push_back(std::move(field));
+    for (std::string& field : *fields) add_once(once, std::move(field));
     *fields = std::move(once);
   }
   return found;

@@ -9,7 +9,6 @@
 // Lengths are in mm. The limits of a tooth are in normal modules.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -20,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/gear/warning.hpp"
 #include "gearwright/pair/shift.hpp"
 #include "gearwright/rating/rating.hpp"
@@ -118,11 +118,10 @@ struct SearchRating {
   std::shared_ptr<RingCuts> ring_cuts;  ///< store for the cuts of internal gears, created by the
                                         ///< search; if absent, internal pairs are cut and mounted
 
-  /// Returns the input for a pair with these numbers of teeth. If T_2 is given, the torque on gear
-  /// 1 is T_2 z_1/|z_2|, without losses.
+  /// Returns the input for a pair with these numbers of teeth.
   RatingInput input_of(int z1, int z2) const {
     RatingInput own = input;
-    if (output_torque) own.torque = *output_torque * z1 / std::abs(z2);
+    if (output_torque) own.torque = balancing_torque(*output_torque, z1, z2);
     return own;
   }
 };
@@ -256,9 +255,7 @@ struct SearchProblem {
   }
   /// True if the transmission error under load of the best designs must be computed.
   bool loads_designs() const { return loaded_designs > 0 && ranks_by(Objective::noise); }
-  bool ranks_by(Objective objective) const {
-    return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
-  }
+  bool ranks_by(Objective objective) const { return is_in(objective, objectives); }
 };
 
 /// One combination of rack, helix angles, module and numbers of teeth, without shifts.

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/drive/drive_geometry.hpp"
 
@@ -82,8 +83,7 @@ long long places_of(std::vector<Row> rows, std::size_t riders) {
 std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<std::size_t> gears;
   for (const std::size_t m : group.meshes)
-    for (const std::size_t g : graph.meshes[m].gears)
-      if (std::find(gears.begin(), gears.end(), g) == gears.end()) gears.push_back(g);
+    for (const std::size_t g : graph.meshes[m].gears) add_once(gears, g);
   std::vector<std::string> proposals;
   for (const std::size_t g : gears) {
     for (int change = 1; change <= kMostTeethChanged; ++change) {

@@ -1,8 +1,7 @@
 // Checks whether a drive can be computed under a load.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "gearwright/base/lists.hpp"
 #include "gearwright/drive/loaded_drive.hpp"
 #include "gearwright/drive/mesh_springs.hpp"
 
@@ -76,9 +75,9 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
         }
       for (const std::size_t b : bodies) {
         const std::string& name = graph.bodies[b].name;
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        add_once(names, name);
       }
-      const bool here = std::find(bodies.begin(), bodies.end(), *load.floating) != bodies.end();
+      const bool here = is_in(*load.floating, bodies);
       known = known || here;
       sets += here ? 1 : 0;
       if (here && set.group.count < 2)

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_places.hpp"
@@ -318,7 +319,7 @@ std::optional<double> Drive::play(std::size_t body, std::size_t held) const {
 std::vector<Rational> Drive::phases(std::size_t mesh) const {
   for (const PlanetSet& set : sets) {
     const auto& own = set.group.meshes;
-    if (std::find(own.begin(), own.end(), mesh) == own.end()) continue;
+    if (!is_in(mesh, own)) continue;
     for (const std::size_t g : graph.meshes[mesh].gears)
       if (graph.body(graph.gears[g]).carrier != set.group.carrier)
         return mesh_phases(graph.gears[g].teeth, set.assembly.turns);

@@ -6,16 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
 
 namespace gearwright {
 
 namespace {
-
-bool holds(const std::vector<std::size_t>& list, std::size_t body) {
-  return std::find(list.begin(), list.end(), body) != list.end();
-}
 
 std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
   const DriveBody& body = graph.bodies[index];
@@ -120,8 +117,8 @@ int DriveGraph::copies(const DriveMesh& mesh) const {
   return std::max(body(gear(mesh, 0)).count, body(gear(mesh, 1)).count);
 }
 
-bool DriveGraph::is_fixed(std::size_t body) const { return holds(fixed, body); }
-bool DriveGraph::is_input(std::size_t body) const { return holds(inputs, body); }
+bool DriveGraph::is_fixed(std::size_t body) const { return is_in(body, fixed); }
+bool DriveGraph::is_input(std::size_t body) const { return is_in(body, inputs); }
 
 bool DriveGraph::moves(std::size_t body) const {
   return std::any_of(gears.begin(), gears.end(),
@@ -136,10 +133,10 @@ std::optional<Error> check_speeds(const std::vector<double>& speeds_rpm, std::si
   if (speeds_rpm.empty() || speeds_rpm.size() == inputs) return std::nullopt;
   std::vector<std::string> texts;
   for (const double rpm : speeds_rpm) texts.push_back(format_number(rpm));
-  return Error{"drive.speed", fmt::format("[{}]", fmt::join(texts, ", ")),
-               fmt::format("has {} number{} for {} input{}; give one speed for each input",
-                           texts.size(), texts.size() == 1 ? "" : "s", inputs,
-                           inputs == 1 ? "" : "s")};
+  return Error{
+      "drive.speed", fmt::format("[{}]", fmt::join(texts, ", ")),
+      fmt::format("has {} number{} for {} input{}; give one speed for each input", texts.size(),
+                  texts.size() == 1 ? "" : "s", inputs, inputs == 1 ? "" : "s")};
 }
 
 std::optional<Error> check_graph(const DriveGraph& graph) {
@@ -198,8 +195,8 @@ std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
       if (group[j] == i) made.riders.push_back(j);
     for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
       const DriveMesh& mesh = graph.meshes[m];
-      if (holds(made.riders, graph.gear(mesh, 0).body) ||
-          holds(made.riders, graph.gear(mesh, 1).body))
+      if (is_in(graph.gear(mesh, 0).body, made.riders) ||
+          is_in(graph.gear(mesh, 1).body, made.riders))
         made.meshes.push_back(m);
     }
     groups.push_back(std::move(made));

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 
 namespace gearwright {
 
@@ -163,7 +164,7 @@ class Layout {
     const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
       const auto& riders = set.group.riders;
-      if (std::find(riders.begin(), riders.end(), graph_.gears[g].body) == riders.end()) continue;
+      if (!is_in(graph_.gears[g].body, riders)) continue;
       phi_[first_[g] + static_cast<std::size_t>(copy)] = phi_[first_[g]] + kTurn * u;
     }
     return turn_rider(set, copy, 0);

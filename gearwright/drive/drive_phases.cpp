@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/drive/drive_places.hpp"
 
 namespace gearwright::detail {
@@ -160,8 +161,7 @@ double turning(const Drive& drive, std::size_t body, std::size_t mesh) {
 
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh) {
   for (const PlanetSet& set : drive.sets)
-    if (std::find(set.group.meshes.begin(), set.group.meshes.end(), mesh) != set.group.meshes.end())
-      return &set;
+    if (is_in(mesh, set.group.meshes)) return &set;
   return nullptr;
 }
 

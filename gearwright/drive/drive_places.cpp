@@ -7,6 +7,8 @@
 #include <deque>
 #include <limits>
 
+#include "gearwright/base/lists.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -300,7 +302,7 @@ Vec2 DrivePlaces::axis_of(const Drive& drive, std::size_t body, int copy) const 
   if (!carrier || copy == 0) return axes[body];
   for (const PlanetSet& set : drive.sets) {
     const auto& riders = set.group.riders;
-    if (std::find(riders.begin(), riders.end(), body) == riders.end()) continue;
+    if (!is_in(body, riders)) continue;
     const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
     const double r = (axes[body] - axes[*carrier]).norm();
     return axes[*carrier] + polar(r, turned[body] + kTurn * u);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
 
@@ -50,7 +51,7 @@ std::optional<int> planet_of(const DriveGraph& graph, std::size_t mesh) {
 
 std::vector<std::size_t> with_same_distance(const DriveGraph& graph, std::size_t mesh) {
   for (const auto& meshes : distance_classes(graph))
-    if (std::find(meshes.begin(), meshes.end(), mesh) != meshes.end()) return meshes;
+    if (is_in(mesh, meshes)) return meshes;
   return {};
 }
 
@@ -224,9 +225,8 @@ bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeo
   // If a fault occurs only with the thinned teeth, the thinning causes it. Such a fault is removed,
   // because the fault of the mesh already explains it.
   if (!blamed.empty())
-    std::erase_if(made.faults, [&](const GeometryFault& fault) {
-      return std::find(uncut->faults.begin(), uncut->faults.end(), fault) == uncut->faults.end();
-    });
+    std::erase_if(made.faults,
+                  [&](const GeometryFault& fault) { return !is_in(fault, uncut->faults); });
   for (const auto& [m, limit] : blamed) {
     const DriveMesh& mesh = thinned.meshes[m];
     const DriveGear &a = thinned.gear(mesh, 0), &b = thinned.gear(mesh, 1);

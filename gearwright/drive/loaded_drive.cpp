@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/mesh_springs.hpp"
@@ -177,7 +178,7 @@ class DriveUnderLoad {
     for (const std::size_t m : set.group.meshes) {
       if (drive_.flow->driver[m] < 0) continue;
       const std::size_t first = phases_[m].first;
-      if (std::find(list.begin(), list.end(), first) == list.end()) list.push_back(first);
+      add_once(list, first);
     }
     return list;
   }

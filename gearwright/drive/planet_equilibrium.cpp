@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/drive/drive_places.hpp"
 
 namespace gearwright::detail {
@@ -79,7 +80,7 @@ void PlanetEquilibrium::find_unknowns() {
     for (const int side : {0, 1}) {
       const DriveGear& gear = graph.gear(graph.meshes[m], side);
       auto& list = graph.body(gear).carrier ? riders : central;
-      if (std::find(list.begin(), list.end(), gear.body) == list.end()) list.push_back(gear.body);
+      add_once(list, gear.body);
     }
   if (central.empty()) return;
   const auto rank = [&](std::size_t b) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/drive/drive_geometry.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
@@ -148,8 +149,7 @@ std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   }
   std::string output = spec.output;
   const auto taken = [&](const std::string& name) {
-    return std::find(inputs.begin(), inputs.end(), name) != inputs.end() ||
-           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
+    return is_in(name, inputs) || is_in(name, fixed);
   };
   if (output.empty()) {
     output = "carrier";

@@ -65,6 +65,10 @@ struct PathPiece {
 };
 std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 
+/// Removes the names of the tip and root diameters beside the plot of flank_frame(), because the key
+/// of shades has the same place.
+void remove_diameters(Figure& figure);
+
 /// Draws an empty developed flank. The face runs from left to right, the root is at the bottom and
 /// the tip is at the top. The figure shows the limits of the usable flank and a little of the tooth
 /// beyond these limits. `side` is the side σ of the gear.

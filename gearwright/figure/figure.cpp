@@ -76,6 +76,12 @@ Figure plane_figure(std::string id, std::string title, std::string description,
   return f;
 }
 
+double length_of(const std::vector<Vec2>& line) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+  return length;
+}
+
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops) {
   std::vector<Vec2> points;
   for (const auto& loop : loops) {

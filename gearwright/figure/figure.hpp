@@ -190,6 +190,9 @@ struct Figure {
 Figure plane_figure(std::string id, std::string title, std::string description,
                     const Bounds& window);
 
+/// Returns the length of a line through these points.
+double length_of(const std::vector<Vec2>& line);
+
 /// Joins loops to the points of one area, with kNewPiece between them.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
 

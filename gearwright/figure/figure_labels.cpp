@@ -24,9 +24,7 @@ constexpr std::size_t kEnough = 60;
 // Returns the point at a given fraction of the length of a line, px, and the direction of the line
 // at this point.
 std::pair<Vec2, Vec2> at_share(const std::vector<Vec2>& line, double share) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-  double left = share * length;
+  double left = share * length_of(line);
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Vec2 d = line[i] - line[i - 1];
     const double part = d.norm();

@@ -192,6 +192,12 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene) {
   return pieces;
 }
 
+void remove_diameters(Figure& figure) {
+  std::erase_if(figure.marks, [](const FigureMark& m) {
+    return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
+  });
+}
+
 Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, double side,
                    std::size_t which) {
   const double z0 = extent.height.front(), z1 = extent.height.back();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "gearwright/base/printable.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -46,11 +48,7 @@ bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
 }  // namespace
 
 double label_width(std::string_view plain) {
-  const auto letters = std::count_if(plain.begin(), plain.end(), [](char c) {
-    // True if the byte does not continue a UTF-8 character.
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  });
-  return kNarrowLetter * static_cast<double>(letters);
+  return kNarrowLetter * static_cast<double>(character_count(plain));
 }
 
 PixelBox label_box(const LabelPlace& place, std::string_view plain) {

@@ -152,10 +152,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
   add_map(f, raster, levels, "greatest pressure during a mesh", "N/mm²", 0.0);
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  // The tip and root diameters beside the plot are removed, because the key of the shades is there.
-  std::erase_if(f.marks, [](const FigureMark& m) {
-    return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
-  });
+  remove_diameters(f);
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
     f.line(bearing_places(scene, which, pair,
                           [&](std::size_t j) { return 2 * pair.radius[j][which]; }),

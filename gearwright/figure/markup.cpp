@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
 
 namespace gearwright {
 
@@ -124,18 +125,14 @@ std::string with_symbols(std::string_view text) {
   const auto in_word = [](char c) {
     return is_letter_or_digit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
   };
-  // Counts the letters of a UTF-8 text, without its continuation bytes.
-  const auto letters = [](std::string_view word) {
-    return std::count_if(word.begin(), word.end(),
-                         [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  };
   std::string result;
   while (!text.empty()) {
     std::size_t n = 0;
     while (n < text.size() && in_word(text[n])) ++n;
     const std::string_view word = text.substr(0, n);
     const std::size_t low = word.find('_');
-    const bool symbol = low != word.npos && low + 1 < n && letters(word.substr(0, low)) == 1 &&
+    const bool symbol = low != word.npos && low + 1 < n &&
+                        character_count(word.substr(0, low)) == 1 &&
                         word.find('_', low + 1) == word.npos;
     result += symbol ? symbol_html(word) : escaped(word);
     text.remove_prefix(n);

@@ -36,10 +36,7 @@ Figure density_figure(const DensityScene& scene) {
           scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
       proportions;
   f.shades = {kLevels, "≤ 100 %", ""};
-  // The tip and root diameters beside the plot are removed, because the key of the shades is there.
-  std::erase_if(f.marks, [](const FigureMark& m) {
-    return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
-  });
+  remove_diameters(f);
   add_map(f, raster, kLevels, "share of the samples", "%");
   return f;
 }

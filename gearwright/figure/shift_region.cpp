@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/math/root.hpp"
 
@@ -52,12 +53,6 @@ std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {
   return {{from, sum - from}, {to, sum - to}};
 }
 
-double length_of(const std::vector<Vec2>& line) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-  return length;
-}
-
 std::vector<Vec2> outline_of(const std::vector<RegionEdge>& loop) {
   std::vector<Vec2> points;
   for (const RegionEdge& e : loop) points.insert(points.end(), e.points.begin(), e.points.end());
@@ -97,14 +92,13 @@ void name_edges(Figure& f, const ShiftChart& chart) {
   });
   std::vector<std::string> named;
   for (FigureMark* m : edges) {
-    const bool again = std::find(named.begin(), named.end(), m->words) != named.end();
-    if (!again) {
-      named.push_back(m->words);
+    const bool first = add_once(named, m->words);
+    if (first) {
       std::string style = m->style.substr(m->style.find(' ') + 1);
       if (!(exact && m->words == words_of(ShiftEdge::Cmax)))
         f.keys.push_back({"line " + style, m->words});
     }
-    if (again && length_of(m->points) < least) continue;
+    if (!first && length_of(m->points) < least) continue;
     if (exact && m->words == words_of(ShiftEdge::Cmax)) continue;
     m->label = m->words;
     m->label_style = "halo " + m->style.substr(m->style.find(' ') + 1);
@@ -252,17 +246,19 @@ Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window) {
   return f;
 }
 
+std::string region_words(const ShiftRegion& region) {
+  return fmt::format(
+      "The profile shift of gear 1 increases to the right, and the profile shift of gear 2 "
+      "increases upwards, in modules. The feasible region has the area {:.4g}. It extends from "
+      "({}, {}) at the least sum of the profile shifts to ({}, {}) at the greatest sum.",
+      region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
+      shown_shift(region.hi.x()), shown_shift(region.hi.y()));
+}
+
 Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) {
   const ShiftRegion& region = chart.region;
   Figure f = shift_limits_figure(chart.graph, window.box);
-  f.description = fmt::format(
-      "The profile shift of gear 1 increases to the right, and the profile shift of gear 2 "
-      "increases upwards, in modules. The feasible region has the area {:.4g}. It extends from "
-      "({}, {}) at the least sum of the profile shifts to "
-      "({}, {}) at the greatest "
-      "sum.",
-      region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
-      shown_shift(region.hi.x()), shown_shift(region.hi.y()));
+  f.description = region_words(region);
   add_region(f, chart);
   name_edges(f, chart);
   add_balanced(f, chart, window.box);

@@ -52,6 +52,9 @@ struct ShiftChart {
 /// Domain    the graph has a region (contract)
 ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design);
 
+/// Returns the description of a picture of the region.
+std::string region_words(const ShiftRegion& region);
+
 /// Draws only the rectangle of the limits and the lines of the centre distances, for a graph
 /// without a region.
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
@@ -63,8 +64,7 @@ std::vector<std::pair<Value, Span>> blocks_of(const std::vector<ContactPoint>& p
 
 std::vector<TouchKind> kinds_of(const std::vector<ContactPoint>& points) {
   std::vector<TouchKind> kinds;
-  for (const ContactPoint& p : points)
-    if (std::find(kinds.begin(), kinds.end(), p.kind) == kinds.end()) kinds.push_back(p.kind);
+  for (const ContactPoint& p : points) add_once(kinds, p.kind);
   std::sort(kinds.begin(), kinds.end());
   return kinds;
 }

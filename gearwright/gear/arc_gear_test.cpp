@@ -2,7 +2,6 @@
 #include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,6 @@ namespace gearwright {
 namespace {
 
 using testing::made;
-using testing::warns;
 
 using Cutter = ArcRack::Cutter;
 

@@ -72,9 +72,7 @@ Result<ReferenceInput<double>> as_rack(const Gear& gear, const WantedRack& rack)
 
 Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
                                        std::optional<double> root_form_diameter) {
-  const auto g = reference_geometry<double>(
-      {spec.teeth, spec.normal_module, spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
-       spec.profile_shift, spec.thickness_allowance});
+  const auto g = reference_geometry(spec.reference_input());
   const double m = spec.normal_module;
   const double x_E = g.generating_profile_shift;
   const bool ring = spec.teeth < 0;

@@ -17,9 +17,7 @@ namespace gearwright::detail {
 Gear described(const CylindricalSpec& spec) {
   Gear gear{};
   gear.spec = spec;
-  const auto reference = reference_geometry<double>(
-      {spec.teeth, spec.normal_module, spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
-       spec.profile_shift, spec.thickness_allowance});
+  const auto reference = reference_geometry(spec.reference_input());
   gear.flanks = InvoluteTeeth{reference, {}, {}, {}, {}};
   gear.transverse_module = reference.transverse_module;
   gear.reference_diameter = reference.reference_diameter;

@@ -34,6 +34,10 @@ struct CylindricalSpec {
   std::optional<RootFilletSpec> root_fillet{};  ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet{};    ///< a circular arc instead of the tip as cut
 
+  ReferenceInput<double> reference_input() const {
+    return {teeth,         normal_module,      normal_pressure_angle.rad(), helix_angle.rad(),
+            profile_shift, thickness_allowance};
+  }
   /// Returns the rack of an involute gear.   Domain  the rack is straight (contract)
   const StraightRack& straight_rack() const;
   StraightRack& straight_rack();

@@ -1,6 +1,5 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,6 @@ namespace gearwright {
 namespace {
 
 using testing::made;
-using testing::warns;
 
 using namespace literals;
 

@@ -11,7 +11,6 @@
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 
 namespace gearwright {
 namespace {
@@ -88,7 +87,7 @@ TEST(Infeed, trims_as_much_as_a_cutter_that_rolls_at_all_distances) {
     const double by_sweep = swept(s, flank.end_point, 400);
     EXPECT_EQ(by_sweep > 0.0, c.trims);
     EXPECT_EQ(cut && cut->arc > 0.0, c.trims);
-    EXPECT_EQ(testing::warns(s.ring, WarningCode::trimming), c.trims);
+    EXPECT_EQ(warns(s.ring, WarningCode::trimming), c.trims);
     if (c.trims) {
       EXPECT_NEAR(cut->arc, by_sweep, 0.01);
       EXPECT_GE(cut->arc, by_sweep);
@@ -106,9 +105,9 @@ TEST(Infeed, names_the_largest_similar_cutter_that_does_not_trim) {
   EXPECT_NE(message.find("Give a similar cutter with 42 teeth, which removes nothing"),
             std::string::npos)
       << message;
-  EXPECT_FALSE(testing::warns(shaped_ring(42, 60, 116).ring, WarningCode::trimming));
+  EXPECT_FALSE(warns(shaped_ring(42, 60, 116).ring, WarningCode::trimming));
   for (int z_0 = 43; z_0 <= 50; ++z_0)
-    EXPECT_TRUE(testing::warns(shaped_ring(z_0, 60, 116).ring, WarningCode::trimming)) << z_0;
+    EXPECT_TRUE(warns(shaped_ring(z_0, 60, 116).ring, WarningCode::trimming)) << z_0;
 }
 
 }  // namespace

@@ -50,11 +50,6 @@ double distance(const Gear& cutter, int teeth, double x) {
   return *e;
 }
 
-bool warns_of_topping(const Gear& gear) {
-  return std::any_of(gear.warnings.begin(), gear.warnings.end(),
-                     [](const Warning& w) { return w.code == WarningCode::tip_cut_by_rack; });
-}
-
 // The default tip is exactly the tip that the cutter leaves. The cutter therefore never shortens
 // the blank, whatever the scale of all lengths is. With z = −62, a cutter of 31 teeth and the scale
 // 7.3, a rounding error could otherwise shorten the blank.
@@ -71,7 +66,7 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         const Gear cutter = made(c);
         const Gear gear = cut(cutter, {teeth, distance(cutter, teeth, 0.05), 20.0 * scale, {}});
         EXPECT_FALSE(gear.tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x_0;
-        EXPECT_FALSE(warns_of_topping(gear));
+        EXPECT_FALSE(warns(gear, WarningCode::tip_cut_by_rack));
         // The cutter shortens a blank that is larger by any amount, but leaves a smaller blank
         // unchanged.
         const double side = teeth > 0 ? 1.0 : -1.0;
@@ -229,10 +224,7 @@ TEST(PinionCut, undercut_begins_at_the_base_tangent_point) {
     if (!gear->exists()) continue;
     EXPECT_EQ(gear->undercut, r_b0 * xi_a > line) << teeth;
     ++(gear->undercut ? undercut : free);
-    const bool warned =
-        std::any_of(gear->warnings.begin(), gear->warnings.end(),
-                    [](const Warning& w) { return w.code == WarningCode::undercut; });
-    EXPECT_EQ(gear->undercut, warned) << teeth;
+    EXPECT_EQ(gear->undercut, warns(*gear, WarningCode::undercut)) << teeth;
   }
   EXPECT_GT(undercut, 3);
   EXPECT_GT(free, 3);

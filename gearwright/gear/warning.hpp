@@ -4,6 +4,7 @@
 // (warning.cpp) has a row for each code, with its name in results, its severity and its sentences.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -172,5 +173,12 @@ struct Warning {
   bool operator==(const Warning&) const = default;
 };
 inline Severity severity_of(const Warning& warning) { return meaning_of(warning.code).severity; }
+
+/// True if a gear, a pair or a job has a warning with this code.
+template <class Warned>
+bool warns(const Warned& of, WarningCode code) {
+  return std::any_of(of.warnings.begin(), of.warnings.end(),
+                     [&](const Warning& w) { return w.code == code; });
+}
 
 }  // namespace gearwright

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {
@@ -91,17 +91,10 @@ std::size_t row_of(const std::array<double, n>& borders, double value) {
                                   borders.begin());
 }
 
-std::optional<int> whole(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return value;
-}
-
 // Returns the number of a grade of ISO 286, or 0 if the text is not a grade.
 int grade_of(std::string_view text) {
-  const int grade = whole(text).value_or(0);
-  return grade <= kMaxGrade ? std::max(grade, 0) : 0;
+  const std::int64_t grade = whole_number(text).value_or(0);
+  return grade > 0 && grade <= kMaxGrade ? static_cast<int>(grade) : 0;
 }
 
 // Returns the standard tolerance of a grade for a nominal size, mm, or none beyond the table.
@@ -117,8 +110,8 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter) {
   const std::size_t digits = std::min(series.find_first_of("0123456789"), series.size());
   const auto* const name = std::find(kSeries.begin(), kSeries.end(), series.substr(0, digits));
-  const auto number = whole(series.substr(digits));
-  const int column = number.value_or(0) - kFirstTolerance;
+  const auto number = whole_number(series.substr(digits));
+  const std::int64_t column = number.value_or(0) - kFirstTolerance;
   if (name == kSeries.end() || column < 0 || column >= 10) {
     return Error{"series", std::string(series),
                  "must be a series of DIN 3967 (a, ab, b, bc, c, cd, d, e, f, g or h) with a "

@@ -215,8 +215,7 @@ std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup
 }
 
 void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
-  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
+  if (answer.after.lost && !warns(job, WarningCode::contact_lost)) {
     job.warnings.push_back(
         {WarningCode::contact_lost,
          "Contact is lost at some positions, and no correction in the searched range restores "

@@ -10,6 +10,7 @@
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/notes.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
@@ -21,17 +22,11 @@ namespace gearwright {
 
 namespace {
 
-std::vector<double> spread(const std::array<double, 2>& range, int n) {
-  std::vector<double> values;
-  for (int i = 0; i < n; ++i)
-    values.push_back(range[0] + (range[1] - range[0]) * (static_cast<double>(i) / (n - 1)));
-  return values;
-}
-
 template <class Curve>
 ErrorMap make_map(const ContactMapInput& m, const Curve& te_at, Progress* progress) {
-  return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), te_at, 0,
-                       progress);
+  const auto& [x, y] = m.range;
+  return map_of_errors(evenly_spaced(x[0], x[1], m.points[0]),
+                       evenly_spaced(y[0], y[1], m.points[1]), te_at, 0, progress);
 }
 
 ContactErrors errors_at(const ContactSetup& setup, const ContactMapInput& m, double x, double y) {

@@ -272,8 +272,7 @@ std::vector<FlankContact> flanks_of(const std::array<const Gear*, 2>& gears, con
 
 NamedAmount named_error(std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
-  const char* const unit = e.unit() == "deg" ? "°" : e.unit() == "um" ? "µm" : "mm";
-  return {std::string(e.words), value, unit};
+  return {std::string(e.words), value, std::string(unit_text(unit_of(e.key)))};
 }
 
 bool wants_contact(const SolvedJob& job) {

@@ -51,6 +51,6 @@ struct ContactPart {
 /// positions over one pitch. Other rotations or pitches of the spec apply to the result only.
 ///
 /// Errors    all other errors of answer_contact, for example modifications that do not fit
-Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress);
 
 }  // namespace gearwright

@@ -6,6 +6,7 @@
 
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
@@ -152,9 +153,7 @@ std::string csv_cell(const Value& value, UnitSystem units, Unit unit) {
 std::string quantities_csv(const SolvedJob& job) {
   std::string out = quantity_heads();
   const UnitSystem units = job.spec.units();
-  std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < job.gears.size(); ++i)
-    records.push_back(gear_record(job.gears[i], job.halves[i]));
+  const std::vector<ValueRecord> records = gear_records(job);
   Rows gears;
   for (const ValueRecord& record : records) gears.push_back(&record);
   add_records(units, "gears", gear_quantities().table(), gears, out);

@@ -6,6 +6,7 @@
 
 #include "gearwright/arrange/judge.hpp"
 #include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
@@ -206,7 +207,7 @@ std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, cons
     if (const auto own = factors.given.of(shared.back())) load.mesh_load_factors[m] = *own;
   }
   for (const auto& [name, factor] : factors.given.each)
-    if (std::find(shared.begin(), shared.end(), name) == shared.end())
+    if (!is_in(name, shared))
       return Error{
           fmt::format("rating.mesh_load_factor.{}", printable(name, 40)), format_number(factor),
           shared.empty()

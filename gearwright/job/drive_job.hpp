@@ -58,7 +58,7 @@ std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
 ///           contradictory; the errors of solve() and load_task() for the pair of a mesh, with the
 ///           name of the mesh in the rule; the errors of check_load() and loaded_drive()
-std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
+std::optional<Error> load_drive(DriveJob& job, Progress* progress);
 
 /// Analyses the contact of each mesh in the same way as the verb `contact` analyses the pair that
 /// --take prints.
@@ -66,7 +66,7 @@ std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 /// Law       Drive::analyses contains, bit for bit, the contact of the spec of mesh_spec()
 /// Errors    the errors of solve_mesh() and answer_contact(), with the name of the mesh in the rule,
 ///           unless the cause is that no teeth touch
-std::optional<Error> analyse_drive_contact(DriveJob& job, Progress* progress = nullptr);
+std::optional<Error> analyse_drive_contact(DriveJob& job, Progress* progress);
 
 /// Determines whether an optional result is computed. With `if_given`, the rating is computed if
 /// the spec has [rating], and the contact if the spec has [errors] or [contact].

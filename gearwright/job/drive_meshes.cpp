@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
@@ -154,9 +155,7 @@ bool turn_over(Json& spec, bool halves) {
   for (const std::string axis : {"x", "y"}) {
     if (!spec.contains("contact") || !spec["contact"].contains("map")) break;
     Json& map = spec["contact"]["map"];
-    if (std::find(kAlongAxis.begin(), kAlongAxis.end(), map[axis].get<std::string>()) ==
-        kAlongAxis.end())
-      continue;
+    if (!is_in(map[axis].get<std::string>(), kAlongAxis)) continue;
     Json& range = map[axis + "_range"];
     std::swap(range[0], range[1]);
     for (Json& end : range) negate(end);

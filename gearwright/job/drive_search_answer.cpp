@@ -131,25 +131,17 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         "All meshes are rated with K_Hβ = {:g} (the default; to change it, give face_load_factor "
         "in [rating]).",
         *f.default_face_load));
-  ListingColumn ranks;
   ListingColumn teeth{"numbers of teeth", "numbers of teeth", "", {}, true};
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
-    const bool front =
-        std::find(designs.pareto.begin(), designs.pareto.end(), i) != designs.pareto.end();
-    ranks.cells.push_back(fmt::format("{}{}", front ? "*" : "", i + 1));
     teeth.cells.push_back(teeth_text(designs.list[i].candidate));
     records.push_back(found_drive_quantities().of(designs.list[i]));
   }
-  std::vector<ListingColumn> columns{ranks, teeth};
-  for (ListingColumn& column : listing_columns(
-           units, records,
-           {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
-            "efficiency_backward", "noise", "size_mm", "size_modules", "mass_kg",
-            "neighbour_clearance_mm", "safety_flank", "safety_root", "phasing", "profile_shift"}))
-    columns.push_back(std::move(column));
-  text += "\n" + design_listing(columns);
-  if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
+  text += ranked_listing(
+      units, designs.pareto, std::move(teeth), records,
+      {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency", "efficiency_backward",
+       "noise", "size_mm", "size_modules", "mass_kg", "neighbour_clearance_mm", "safety_flank",
+       "safety_root", "phasing", "profile_shift"});
   if (designs.list.size() > kListedDrives)
     text += wrapped(fmt::format(
         "  … {} more designs; --json lists all of them, --top N computes more, --take N "

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/cad/drive_solids.hpp"
@@ -158,9 +159,7 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   return rows;
 }
 
-bool FileOptions::wants(std::string_view part) const {
-  return only.empty() || std::find(only.begin(), only.end(), part) != only.end();
-}
+bool FileOptions::wants(std::string_view part) const { return only.empty() || is_in(part, only); }
 
 std::string_view ending(FileKind kind) {
   switch (kind) {

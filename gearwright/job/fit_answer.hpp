@@ -41,7 +41,7 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 /// Errors    keys of the spec that are not allowed here; a bore that does not fit the computed
 ///           gear; the errors of design_few_teeth()
-Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress);
 
 // The verb `identify` computes the gears that agree with the readings of an unknown gear.
 

@@ -25,7 +25,7 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
                  std::size_t columns = 0, const std::string& note = {}) {
   std::string text = "  " + padded(words, words_width) + padded(symbol, kSymbolWidth);
   for (const std::string& v : values)
-    text += text_width(v) < kValueWidth ? padded_left(v, kValueWidth) : "  " + v;
+    text += character_count(v) < kValueWidth ? padded_left(v, kValueWidth) : "  " + v;
   if (!note.empty() && values.size() < columns)
     text += std::string(kValueWidth * (columns - values.size()), ' ');
   text += "  " + (note.empty() ? std::string(unit) : padded(std::string(unit), kUnitWidth) + note);
@@ -56,7 +56,7 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
   std::size_t words_width = kWordsWidth;
   for (const TextGroup& g : groups) {
     for (const TextRow& row : g.rows)
-      words_width = std::max(words_width, text_width(row.info->words) + 2);
+      words_width = std::max(words_width, character_count(row.info->words) + 2);
   }
   std::string text;
   if (!columns.empty()) text += "\n" + line("", words_width, "", columns, "");
@@ -118,9 +118,7 @@ std::string title_listing(const JobSpec& spec, std::string_view before) {
 }
 
 std::string gear_listing(const SolvedJob& job) {
-  std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < job.gears.size(); ++i)
-    records.push_back(gear_record(job.gears[i], job.halves[i]));
+  const std::vector<ValueRecord> records = gear_records(job);
   std::string text =
       title_listing(job.spec, "\n") + quantity_listing(job.spec.units(), gear_quantities().table(),
                                                        records, gear_columns(records.size()));

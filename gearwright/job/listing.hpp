@@ -64,7 +64,6 @@ std::string outline_listing(const Outline& outline, int n, UnitSystem units);
 constexpr std::size_t kLineWidth = 80;    ///< width of sentences, the usual width of a terminal
 constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
 
-std::size_t text_width(std::string_view text);
 /// Returns the text, filled on the right with blanks to `width` characters.
 std::string padded(const std::string& text, std::size_t width);
 /// Returns the text, filled on the left with blanks to `width` characters.
@@ -90,5 +89,10 @@ std::string table_listing(const TextTable& table);
 /// are the columns with the same text in all rows, and the columns whose numbers are equal to those
 /// of an earlier column or differ from them only in sign.
 std::string design_listing(const std::vector<ListingColumn>& columns);
+/// Lists the designs of a search in their order, with their ranks, the column `second` and the
+/// quantities `keys` of `records`. `pareto` contains the indices of the Pareto front.
+std::string ranked_listing(UnitSystem units, const std::vector<std::size_t>& pareto,
+                           ListingColumn second, const std::vector<ValueRecord>& records,
+                           std::initializer_list<std::string_view> keys);
 
 }  // namespace gearwright

@@ -220,9 +220,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   const bool unsupported = made.error().kind == FailureKind::not_under_load;
   if (!alone && !apart && !unsupported) return made.error();
   const WarningCode code = apart ? WarningCode::no_contact : WarningCode::no_load;
-  const auto is_listed = [&](const Warning& w) { return w.code == code; };
-  if (std::any_of(job.warnings.begin(), job.warnings.end(), is_listed))
-    return std::optional<LoadPart>();
+  if (warns(job, code)) return std::optional<LoadPart>();
   const Error why = spelled(made.error(), job.spec.given);
   job.warnings.push_back(
       {code, "The analysis under load cannot be computed: " + why.message() + ".", 0});

@@ -1,11 +1,12 @@
 #include "gearwright/job/csv_answer.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "gearwright/arrange/measured_gear.hpp"
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear.hpp"
 
@@ -13,14 +14,12 @@ namespace gearwright {
 
 std::optional<PointGrid> parse_grid(const std::string& text) {
   constexpr int kMost = 1000;
-  PointGrid grid;
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, grid.profile);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, grid.helix);
-  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  const auto sane = [](int n) { return n >= 2 && n <= kMost; };
-  return sane(grid.profile) && sane(grid.helix) ? std::optional(grid) : std::nullopt;
+  const auto parts = split(text, 'x');
+  if (parts.size() != 2) return std::nullopt;
+  const auto profile = whole_number(parts[0]), helix = whole_number(parts[1]);
+  const auto sane = [](const auto& n) { return n && *n >= 2 && *n <= kMost; };
+  if (!sane(profile) || !sane(helix)) return std::nullopt;
+  return PointGrid{static_cast<int>(*profile), static_cast<int>(*helix)};
 }
 
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges) {

@@ -45,7 +45,7 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 /// Returns the proposals in the report of `run`. There are none if [load] has no torque or lists
 /// rotations, if the gears have no accuracy grades, if `propose` does not support the gears, or if
 /// the computation fails.
-std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
+std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress);
 
 // The modifications proposed for a pair, without their effects. Only files of job/ use them.
 

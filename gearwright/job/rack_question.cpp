@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
@@ -24,11 +25,8 @@ std::optional<WantedRack> parse_wanted_rack(const std::string& text) {
     return std::nullopt;
   const auto number = [](const std::string& part, bool& good) -> std::optional<double> {
     if (part.empty()) return std::nullopt;
-    char* end = nullptr;
-    const double v = std::strtod(part.c_str(), &end);
-    // strtod also accepts hexadecimal numbers, "inf" and "nan", which are rejected here.
-    good = good && part.find_first_not_of("0123456789.eE+-") == std::string::npos;
-    good = good && end == part.c_str() + part.size() && std::isfinite(v) && v > 0.0;
+    const auto v = decimal_number(part);
+    good = good && v && *v > 0.0;
     return v;
   };
   bool good = true;

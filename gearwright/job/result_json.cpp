@@ -32,6 +32,13 @@ Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& resu
   return record;
 }
 
+std::vector<ValueRecord> gear_records(const SolvedJob& job) {
+  std::vector<ValueRecord> records;
+  for (std::size_t i = 0; i < job.gears.size(); ++i)
+    records.push_back(gear_record(job.gears[i], job.halves[i]));
+  return records;
+}
+
 ValueRecord pair_record(const SolvedJob& job) {
   GW_EXPECTS(job.mounted());
   return job.rack ? rack_pair_quantities().of(*job.rack) : pair_quantities().of(*job.pair);

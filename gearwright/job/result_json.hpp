@@ -76,6 +76,9 @@ RecordLimits pair_limits(const SolvedJob& job);
 /// number that does not differ. Lists of records are omitted.
 Json interval_json(const RecordLimits& limits);
 
+/// Returns gear_record() of each gear.
+std::vector<ValueRecord> gear_records(const SolvedJob& job);
+
 /// Returns both limits as records for a listing that shows only the rows that differ.
 std::vector<ValueRecord> differing(RecordLimits limits);
 

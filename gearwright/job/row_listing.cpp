@@ -6,21 +6,17 @@
 #include <cmath>
 #include <sstream>
 
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/printable.hpp"
+
 namespace gearwright {
 
-std::size_t text_width(std::string_view text) {
-  // In UTF-8, bytes that continue a character have the form 10xxxxxx.
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
 std::string padded(const std::string& text, std::size_t width) {
-  return text + std::string(width - std::min(width, text_width(text)), ' ');
+  return text + std::string(width - std::min(width, character_count(text)), ' ');
 }
 
 std::string padded_left(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text_width(text)), ' ') + text;
+  return std::string(width - std::min(width, character_count(text)), ' ') + text;
 }
 
 std::string wrapped(std::string_view text) {
@@ -33,12 +29,12 @@ std::string wrapped(std::string_view text) {
     const std::string_view word = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (column > first) {
-      const bool fits = column + 1 + text_width(word) <= kLineWidth;
+      const bool fits = column + 1 + character_count(word) <= kLineWidth;
       lines += fits ? " " : "\n" + indent;
       column = fits ? column + 1 : indent.size();
     }
     lines += word;
-    column += text_width(word);
+    column += character_count(word);
   }
   return lines + "\n";
 }
@@ -54,7 +50,7 @@ std::vector<std::string> broken(const std::string& words, std::size_t most) {
   std::vector<std::string> lines;
   std::istringstream text(words);
   for (std::string word; text >> word;) {
-    if (lines.empty() || text_width(lines.back()) + 1 + text_width(word) > most)
+    if (lines.empty() || character_count(lines.back()) + 1 + character_count(word) > most)
       lines.push_back(word);
     else
       lines.back() += " " + word;
@@ -71,7 +67,7 @@ std::vector<std::string> lines_of(const ListingColumn& column, std::size_t head_
   lines.push_back(column.unit);
   lines.insert(lines.end(), column.cells.begin(), column.cells.end());
   std::size_t widest = 0;
-  for (const std::string& each : lines) widest = std::max(widest, text_width(each));
+  for (const std::string& each : lines) widest = std::max(widest, character_count(each));
   for (std::string& each : lines)
     each = "  " + (column.left ? padded(each, widest) : padded_left(each, widest));
   return lines;
@@ -126,7 +122,7 @@ std::optional<std::string> relation(const ListingColumn& column,
 std::string tables_of(const std::vector<const ListingColumn*>& columns) {
   const auto width = [](const ListingColumn& c) {
     const std::size_t heads = broken(c.head, kDesignHeadWidth).size();
-    return text_width(lines_of(c, kDesignHeadWidth, heads).front());
+    return character_count(lines_of(c, kDesignHeadWidth, heads).front());
   };
   const std::size_t first = width(*columns.front());
   std::string text;
@@ -210,8 +206,8 @@ std::string design_listing(const std::vector<ListingColumn>& columns) {
   std::size_t words = 0;
   std::size_t heads = 0;
   for (const Common& each : common) {
-    words = std::max(words, text_width(each.column->words));
-    heads = std::max(heads, text_width(head(*each.column)));
+    words = std::max(words, character_count(each.column->words));
+    heads = std::max(heads, character_count(head(*each.column)));
   }
   std::string text = common.empty() ? "" : "Common to all designs\n";
   for (const Common& each : common) {
@@ -219,6 +215,18 @@ std::string design_listing(const std::vector<ListingColumn>& columns) {
             (heads > 0 ? padded(head(*each.column), heads + 2) : "") + each.value + "\n";
   }
   return text + (common.empty() ? "" : "\n") + tables_of(table);
+}
+
+std::string ranked_listing(UnitSystem units, const std::vector<std::size_t>& pareto,
+                           ListingColumn second, const std::vector<ValueRecord>& records,
+                           std::initializer_list<std::string_view> keys) {
+  std::vector<ListingColumn> columns{{}, std::move(second)};
+  for (std::size_t i = 0; i < records.size(); ++i)
+    columns[0].cells.push_back(fmt::format("{}{}", is_in(i, pareto) ? "*" : "", i + 1));
+  for (ListingColumn& column : listing_columns(units, records, keys))
+    columns.push_back(std::move(column));
+  return "\n" + design_listing(columns) +
+         (pareto.empty() ? "" : "  * marks designs on the Pareto front of the objectives\n");
 }
 
 }  // namespace gearwright

@@ -49,8 +49,7 @@ Result<std::optional<CompensateAnswer>> compensation_part(SolvedJob& job, Progre
   if (kind == FailureKind::not_under_load)
     return none(spelled(answer.error(), job.spec.given).message());
   if (!without_contact(answer.error())) return answer.error();
-  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::no_contact; };
-  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
+  if (!warns(job, WarningCode::no_contact)) {
     const Error why = spelled(answer.error(), job.spec.given);
     job.warnings.push_back(
         {WarningCode::no_contact, "Corrections cannot be computed: " + why.message() + ".", 0});

@@ -216,8 +216,7 @@ std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units) {
   return lines;
 }
 
-std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
-                           std::size_t most) {
+std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units) {
   const SearchAnswer& a = run.answer;
   const SearchProblem& p = search.problem();
   std::string text =
@@ -234,48 +233,41 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     text += is_change ? line + "\n" : wrapped(line);  // a change stays on one line
   if (a.counts.feasible == 0) return text;
   text += wrapped(fmt::format("Designs are ranked {}.", order_in_words(p)));
-  ListingColumn ranks;
   ListingColumn places{"profile shifts", "profile shifts", "", {}, true};
   std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
-    const bool front = std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end();
-    ranks.cells.push_back(fmt::format("{}{}", front ? "*" : "", i + 1));
+  for (std::size_t i = 0; i < a.designs.size() && i < kListedDesigns; ++i) {
     places.cells.emplace_back(a.designs[i].balanced ? "balanced" : "middle");
     records.push_back(design_quantities().of({&p, &a.designs[i]}));
   }
-  std::vector<ListingColumn> columns{ranks, places};
-  for (ListingColumn& column : listing_columns(units, records,
-                                               {"module_mm",
-                                                "normal_diametral_pitch_per_in",
-                                                "teeth",
-                                                "helix_angle_deg",
-                                                "ratio",
-                                                "center_distance_mm",
-                                                "profile_shift",
-                                                "contact_ratio",
-                                                "contact_ratio_true",
-                                                "sliding_max",
-                                                "face_width_mm",
-                                                "overlap_ratio",
-                                                "backlash_mm",
-                                                "S_H",
-                                                "S_F",
-                                                "mass_kg",
-                                                "efficiency",
-                                                "balance",
-                                                "relative_cost",
-                                                "noise_um",
-                                                "loaded_noise_um",
-                                                "area",
-                                                "interference"}))
-    columns.push_back(std::move(column));
-  text += "\n" + design_listing(columns);
-  if (!a.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
-  if (a.counts.feasible > static_cast<std::int64_t>(most)) {
+  text += ranked_listing(units, a.pareto, std::move(places), records,
+                         {"module_mm",
+                          "normal_diametral_pitch_per_in",
+                          "teeth",
+                          "helix_angle_deg",
+                          "ratio",
+                          "center_distance_mm",
+                          "profile_shift",
+                          "contact_ratio",
+                          "contact_ratio_true",
+                          "sliding_max",
+                          "face_width_mm",
+                          "overlap_ratio",
+                          "backlash_mm",
+                          "S_H",
+                          "S_F",
+                          "mass_kg",
+                          "efficiency",
+                          "balance",
+                          "relative_cost",
+                          "noise_um",
+                          "loaded_noise_um",
+                          "area",
+                          "interference"});
+  if (a.counts.feasible > static_cast<std::int64_t>(kListedDesigns)) {
     text += wrapped(
         fmt::format("  … {} more designs; --out DIR writes all of them, and --take N writes one "
                     "design as the spec of a pair",
-                    a.counts.feasible - static_cast<std::int64_t>(most)));
+                    a.counts.feasible - static_cast<std::int64_t>(kListedDesigns)));
   } else {
     text += "\nThe option --take NUMBER > pair.toml writes the spec of a design.\n";
   }

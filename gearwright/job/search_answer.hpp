@@ -24,8 +24,7 @@ Json unfinished_json(const SearchRun& run);
 
 /// Lists the counts and the best designs in these units. If there are no designs, lists changes
 /// that would give a design.
-std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
-                           std::size_t most = kListedDesigns);
+std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units);
 
 /// Describes the rating, for example "rated by ISO 6336:2006, 300 N m on gear 1, face width 10
 /// modules, S_H ≥ 1.1". The text is empty if the designs are not rated.

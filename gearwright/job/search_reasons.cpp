@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
@@ -59,8 +60,7 @@ std::string assumed_line(const std::vector<AssumedFactor>& assumed) {
   std::vector<std::string> symbols, inputs;
   for (const AssumedFactor& factor : assumed) {
     symbols.emplace_back(factor.symbol);
-    if (std::find(inputs.begin(), inputs.end(), factor.input) == inputs.end())
-      inputs.emplace_back(factor.input);
+    add_once(inputs, factor.input);
   }
   return fmt::format("{} {} 1 by default. Give {} in [rating].", enumerated(symbols),
                      symbols.size() == 1 ? "is" : "are", enumerated(inputs));
@@ -95,7 +95,7 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
   std::vector<std::string> keys;
   for (const std::string& field : run.changes_tried) {
     std::string key = spelled_change({field, "", "", 0.0}, units).key;
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
+    add_once(keys, std::move(key));
   }
   return fmt::format(
       "Changing only one of these keys does not help: {}. Centre distances were changed by a "

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/parallel.hpp"
 
@@ -23,7 +24,7 @@ Error no_tooth_numbers() {
 
 RegionDetail detail_of(const SearchProblem& problem, bool files) {
   const auto& wanted = problem.objectives;
-  const bool by_area = std::find(wanted.begin(), wanted.end(), Objective::area) != wanted.end();
+  const bool by_area = is_in(Objective::area, wanted);
   return files || by_area ? RegionDetail::whole : RegionDetail::point;
 }
 

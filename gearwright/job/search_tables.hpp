@@ -3,13 +3,13 @@
 // of a range. Internal to job/ and the programs.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/store/parquet.hpp"
@@ -28,7 +28,7 @@ class TableColumns {
                         const std::vector<std::string_view>& without = {}) {
     const std::vector<RecordColumn> all = columns_of(quantities.table());
     for (const Quantity& q : quantities.list()) {
-      if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;
+      if (is_in(q.info.key, without)) continue;
       Source source{&q, {}};
       for (const RecordColumn& column : all) {
         if (column.path.front() != &q.info || column.info().column.empty()) continue;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "gearwright/arrange/judge.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/design_strength.hpp"
@@ -78,15 +79,10 @@ namespace {
 // Returns the keys of these members in backticks: `a`, `b`. Several members may have the same key,
 // such as both limits of the profile shifts.
 std::string spelled_list(const std::vector<std::string>& fields) {
-  std::string text;
   std::vector<std::string> keys;
-  for (const std::string& field : fields) {
-    std::string key = spelled_member("search", field).key;
-    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    text += (text.empty() ? "`" : ", `") + key + "`";
-    keys.push_back(std::move(key));
-  }
-  return text;
+  for (const std::string& field : fields)
+    add_once(keys, "`" + spelled_member("search", field).key + "`");
+  return fmt::format("{}", fmt::join(keys, ", "));
 }
 
 // Returns the reason that rejects the drawing of a design, in words.

@@ -4,11 +4,13 @@
 
 #include <sstream>
 
+#include "gearwright/base/printable.hpp"
+
 namespace gearwright {
 namespace {
 
 TEST(TextLayout, counts_characters) {
-  EXPECT_EQ(text_width("ε_α"), 3U);
+  EXPECT_EQ(character_count("ε_α"), 3U);
   EXPECT_EQ(padded("ε_α", 5), "ε_α  ");
   EXPECT_EQ(padded_left("ε_α", 5), "  ε_α");
   EXPECT_EQ(padded("longer", 3), "longer");

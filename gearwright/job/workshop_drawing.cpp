@@ -7,6 +7,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/rack_sheet.hpp"
 #include "gearwright/cad/section.hpp"
@@ -103,17 +104,14 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const SheetNumb
   if (!body) return body.error();
   const UnitSystem units = job.spec.units();
   const auto mass = mass_of(job, which, *body);
-  GearSheetInput input{
-      *body,
-      job.gear(which).reference_diameter,
-      gear_drawing_data(job, which, numbers.mate),
-      title_words(job),
-      job.spec.gear(which).tolerance.tip_fit.value_or(""),
-      surfaces(job, which),
-      mass ? fmt::format("{:.3g} {}", value_in(units, Unit::kg, *mass), unit_text(units, Unit::kg))
-           : "",
-      numbers.own,
-      job.spec.units()};
+  GearSheetInput input{{title_words(job), gear_drawing_data(job, which, numbers.mate),
+                        surfaces(job, which), numbers.own, units},
+                       *body,
+                       job.gear(which).reference_diameter,
+                       job.spec.gear(which).tolerance.tip_fit.value_or("")};
+  if (mass)
+    input.mass =
+        fmt::format("{:.3g} {}", value_in(units, Unit::kg, *mass), unit_text(units, Unit::kg));
   if (job.parts() > 1) input.words.title += fmt::format(", gear {}", which);
   add_material(input.words, job.spec.gear(which).material);
   auto made = gear_sheet(input, size, tolerance_mm);
@@ -126,9 +124,9 @@ Result<GearSheet> sheet_of_rack(const SolvedJob& job, const SheetNumbers& number
                                 double tolerance_mm) {
   const auto body = make_body(job, 2);
   if (!body) return body.error();
-  RackSheetInput input{job.rack->rack,   rack_drawing_data(job, numbers.mate),
-                       title_words(job), textures(job.spec.drawing, ""),
-                       numbers.own,      job.spec.units()};
+  RackSheetInput input{{title_words(job), rack_drawing_data(job, numbers.mate),
+                        textures(job.spec.drawing, ""), numbers.own, job.spec.units()},
+                       job.rack->rack};
   input.words.title += ", rack";
   auto made = rack_sheet(input, size, tolerance_mm);
   if (!made) return of_body(made.error(), body->name);
@@ -146,10 +144,7 @@ std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody
 }
 
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string ending = lower_case(path.extension().string());
   if (ending == ".pdf") return SheetFormat::pdf;
   if (ending == ".svg") return SheetFormat::svg;
   if (ending == ".dxf") return SheetFormat::dxf;

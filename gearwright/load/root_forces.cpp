@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "gearwright/base/lists.hpp"
+
 namespace gearwright::detail {
 
 using Eigen::Index;
@@ -13,12 +15,9 @@ namespace {
 // Returns the loaded teeth, followed by their unloaded neighbours, which also deform.
 std::vector<int> teeth_that_feel(const std::vector<ToothForces>& forces) {
   std::vector<int> teeth;
-  const auto add = [&](int tooth) {
-    if (std::find(teeth.begin(), teeth.end(), tooth) == teeth.end()) teeth.push_back(tooth);
-  };
-  for (const ToothForces& f : forces) add(f.pair);
+  for (const ToothForces& f : forces) add_once(teeth, f.pair);
   for (const ToothForces& f : forces)
-    for (const int beside : {-1, 1}) add(f.pair + beside);
+    for (const int beside : {-1, 1}) add_once(teeth, f.pair + beside);
   return teeth;
 }
 

@@ -11,14 +11,12 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/outline_gap.hpp"
 
 namespace gearwright {
 namespace {
 
 using testing::made;
-using testing::warns;
 
 using Complex = std::complex<double>;
 using Cutter = ArcRack::Cutter;

@@ -148,9 +148,9 @@ Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const P
 ///           the distance is outside the limits of a crossed pair; `pair.shaft_angle` if a crossed
 ///           internal pair is impossible at every distance
 Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
-                                    std::optional<double> friction = {});
+                                    std::optional<double> friction);
 Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& place,
-                                  std::optional<double> friction = {});
+                                  std::optional<double> friction);
 
 /// Returns the least distance between the root fillet of gear `which` (1, 2) and the path of the
 /// mating gear's tip corner, mm. If the distance is < 0, its magnitude is the depth to which the

@@ -1,6 +1,5 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/testing/mounted.hpp"
 
@@ -15,7 +14,6 @@ namespace gearwright {
 namespace {
 
 using testing::mounted;
-using testing::warns;
 
 using namespace literals;
 

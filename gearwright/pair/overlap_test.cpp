@@ -7,7 +7,6 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/made.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/testing/mounted.hpp"
 
@@ -18,7 +17,6 @@ using testing::cut;
 using testing::made;
 using testing::mounted;
 using testing::spec;
-using testing::warns;
 
 Gear wheel_of_undercut_pinion() {
   CylindricalSpec cutter = spec(10, 2.5);

@@ -122,24 +122,20 @@ TEST(RackPair, lengths_scale_with_the_module) {
 }
 
 TEST(RackPair, what_is_wrong_is_a_warning_and_what_cannot_be_an_error) {
-  const auto has = [](const RackPair& p, WarningCode code) {
-    return std::any_of(p.warnings.begin(), p.warnings.end(),
-                       [&](const Warning& w) { return w.code == code; });
-  };
   const Gear gear = pinion(22, 2, 0, 0);
   EXPECT_TRUE(testing::taken(mount_rack(gear, {.teeth = 30, .height = 9})).warnings.empty());
-  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 21.9)), WarningCode::negative_backlash));
-  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 21.4)), WarningCode::root));
-  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 27.0)), WarningCode::no_contact));
-  EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 24.0)), WarningCode::contact_ratio));
+  EXPECT_TRUE(warns(testing::taken(mount_rack(gear, {}, 21.9)), WarningCode::negative_backlash));
+  EXPECT_TRUE(warns(testing::taken(mount_rack(gear, {}, 21.4)), WarningCode::root));
+  EXPECT_TRUE(warns(testing::taken(mount_rack(gear, {}, 27.0)), WarningCode::no_contact));
+  EXPECT_TRUE(warns(testing::taken(mount_rack(gear, {}, 24.0)), WarningCode::contact_ratio));
   const RackPair undercut = testing::taken(mount_rack(pinion(9, 2, 0, 0), {}));
   // The rack that cuts the pinion reaches farther than the mating rack, so nothing collides.
-  EXPECT_TRUE(has(undercut, WarningCode::contact_lost_to_undercut));
-  EXPECT_FALSE(has(undercut, WarningCode::base_tangent));
+  EXPECT_TRUE(warns(undercut, WarningCode::contact_lost_to_undercut));
+  EXPECT_FALSE(warns(undercut, WarningCode::base_tangent));
   EXPECT_LT(undercut.true_contact_ratio(), undercut.transverse_contact_ratio());
   // Without backlash, the centre distance is 17.66 mm.
   const RackPair close = testing::taken(mount_rack(pinion(17, 2, 0.2, 10), {}, 10.0));
-  EXPECT_TRUE(has(close, WarningCode::negative_backlash));
+  EXPECT_TRUE(warns(close, WarningCode::negative_backlash));
   EXPECT_EQ(close.warnings.back().code, WarningCode::no_contact);
   EXPECT_NE(close.warnings.back().message.find(" A greater centre distance would help."),
             std::string::npos)

@@ -57,6 +57,9 @@ struct Material {
   /// Values of a plastic by temperature. A non-empty list replaces the member without `_by`.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
+  bool has_strengths() const { return has_flank_strength() && has_root_strength(); }
+  bool has_flank_strength() const { return sigma_Hlim > 0.0 || !sigma_Hlim_by.empty(); }
+  bool has_root_strength() const { return sigma_Flim > 0.0 || !sigma_Flim_by.empty(); }
   bool surface_hardened() const {
     return kind == MaterialKind::case_hardened || kind == MaterialKind::induction_hardened ||
            kind == MaterialKind::nitrided || kind == MaterialKind::nitrocarburized;

@@ -160,7 +160,7 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
                in.mesh_load_factor == 1.0 ? "one mesh" : kGivenFactor};
   double power = 0.0, velocity = 0.0;
   if (in.speed) {
-    const double omega = *in.speed * 2 * std::numbers::pi / 60.0;
+    const double omega = radians_per_second(*in.speed);
     power = in.torque * omega;
     velocity = omega * driven_by.reference_diameter / 2 / kMmPerM;
     r.v = Factor{velocity, kTemperature, ""};

@@ -306,10 +306,7 @@ std::optional<Error> torque_or_strength_error(const RatingInput& in) {
   if (!(in.torque > 0.0))
     return refused("rating.torque", in.torque, "must be > 0 N m, the torque on gear 1");
   for (const int which : {1, 2}) {
-    const Material& m = in.materials[which - 1];
-    const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
-    const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
-    if (!flank || !root)
+    if (!in.materials[which - 1].has_strengths())
       return absent_input(
           gear_field(which, "material"),
           "; a rating needs sigma_Hlim and sigma_Flim > 0 N/mm². Set both in the materials of the "

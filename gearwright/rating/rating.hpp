@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,12 @@
 #include "gearwright/rating/root.hpp"
 
 namespace gearwright {
+
+/// Returns the torque on gear 1 that balances the torque T_2 on gear 2, T_1 = T_2 |z_1/z_2|.
+/// Losses are neglected.
+inline double balancing_torque(double torque_2, int z1, int z2) {
+  return torque_2 * std::abs(z1) / std::abs(z2);
+}
 
 struct RatingInput {
   RatingEdition edition = RatingEdition::iso_2006;
@@ -108,6 +115,6 @@ Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 
 /// Returns the errors that missing_input() joins into one. `halves` is 2 for double-helical gears,
 /// whose face load factor is not computed from a mounting.
-std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
+std::vector<Error> missing_inputs(const RatingInput& input, int halves);
 
 }  // namespace gearwright

@@ -98,6 +98,6 @@ std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitS
 
 /// Writes table and figure of the least centre distance, in a folded section for manual checks.
 /// Without a figure, the table is not folded.
-std::string min_distance_part(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
+std::string min_distance_part(const CrossedPair& pair, UnitSystem units);
 
 }  // namespace gearwright

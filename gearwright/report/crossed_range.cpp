@@ -52,12 +52,7 @@ std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, doubl
 // their racks differ.
 std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
-  for (std::size_t i : {0u, 1u}) {
-    const CylindricalSpec& s = pair.gears[i].spec;
-    racks[i] = {
-        s.teeth,         s.normal_module,      s.normal_pressure_angle.rad(), s.helix_angle.rad(),
-        s.profile_shift, s.thickness_allowance};
-  }
+  for (std::size_t i : {0u, 1u}) racks[i] = pair.gears[i].spec.reference_input();
   const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
   if (!equal(racks[0].normal_module, racks[1].normal_module) ||
       !equal(racks[0].normal_pressure_angle, racks[1].normal_pressure_angle))

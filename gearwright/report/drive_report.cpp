@@ -191,21 +191,16 @@ std::string drive_report_html(const DriveReportInput& input) {
                                      kKeyFigures, input.units) +
                            "</dl>\n" + sentence_in(input.units, finding_list(input.verdict, "")) +
                            picture_hint();
-  const std::string sections = sentence_in(
-      input.units, drive_overview(input) + section_part(input) + power_part(drive, input.units) +
-                       strength_part(drive, input.units) + load_part(drive, input.units) +
-                       planets_part(drive, input.units) + mesh_parts(drive, input.units) +
-                       gears_part(drive, input.units) + file_section(input.files));
-  return page_html({.title = input.title.empty() ? drive_title(drive) : input.title,
-                    .kind = escaped(drive_kind(drive)),
-                    .verdict = escaped(sentence_in(input.units, input.verdict.headline)),
-                    .level = to_string(input.verdict.level),
-                    .head = head,
-                    .definitions = drive_definitions(drive),
-                    .sections = sections,
-                    .spec = input.spec_text,
-                    .foot = drive_foot(input.units),
-                    .script = turn_script()});
+  return page_of(input,
+                 {.title = drive_title(drive),
+                  .kind = escaped(drive_kind(drive)),
+                  .head = head,
+                  .definitions = drive_definitions(drive),
+                  .sections = drive_overview(input) + section_part(input) +
+                              power_part(drive, input.units) + strength_part(drive, input.units) +
+                              load_part(drive, input.units) + planets_part(drive, input.units) +
+                              mesh_parts(drive, input.units) + gears_part(drive, input.units),
+                  .foot = drive_foot(input.units)});
 }
 
 }  // namespace gearwright

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/drive/drive_layout.hpp"
@@ -15,16 +14,11 @@
 
 namespace gearwright {
 
-struct DriveReportInput {
-  std::string title;  ///< if empty, a title is made from the tooth numbers
+struct DriveReportInput : PageInput {
   const Drive* drive = nullptr;
   const DrivePlaces* places = nullptr;  ///< null (no scheme) if the axes cannot be placed
   const DriveLayout* layout = nullptr;  ///< null if the drive cannot be assembled
   std::string why_no_layout;            ///< if `layout` is null, the reason, as a sentence
-  Verdict verdict;
-  std::vector<ReportFile> files;
-  std::string spec_text;              ///< the spec, verbatim; left out if empty
-  UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
 };
 
 /// Returns the page in UTF-8.   Domain a drive (contract)

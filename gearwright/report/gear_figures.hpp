@@ -49,7 +49,7 @@ Figure tooth_figure(const Gear& gear, const std::string& shape, const std::strin
 /// Writes the figure of the tooth as HTML. If the gear has no outline, the result is a paragraph
 /// with the reason.
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name,
-                       UnitSystem units = UnitSystem::mm);
+                       UnitSystem units);
 
 /// True if the picture of the root is useful. The gear must be an external involute gear with an
 /// outline, cut by a rack. It must also have a circular root fillet, undercut, or at most 12 teeth.

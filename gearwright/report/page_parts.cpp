@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/markup.hpp"
@@ -13,7 +12,7 @@
 namespace gearwright {
 
 std::string FigureForm::html(Figure figure, double width, std::string_view control) const {
-  if (std::find(above.begin(), above.end(), figure.id) != above.end()) return {};
+  if (is_in(figure.id, above)) return {};
   figure.id = prefix + figure.id;
   return figure_html(in_units(units, std::move(figure)), width, "", control);
 }

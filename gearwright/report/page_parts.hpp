@@ -59,21 +59,21 @@ std::string_view page_script();
 
 /// Returns the page from the doctype to </head>, including the style. `title` is plain text.
 /// `more_style` is added to the style of the page.
-std::string page_head(std::string_view title, std::string_view more_style = "");
+std::string page_head(std::string_view title, std::string_view more_style);
 
 /// A page with all its parts. Title, level and spec are plain text. `style` is CSS and
 /// `script` is JavaScript. All other texts are HTML.
 struct ReportPage {
   std::string title;
   std::string kind;           ///< subject of the page, above the title
-  std::string verdict;        ///< headline of the verdict, below the title
+  std::string verdict{};      ///< headline of the verdict, below the title
   std::string level{};        ///< level of the verdict, "green"; empty if there is none
   std::string head{};         ///< content of the header after the verdict
   std::string definitions{};  ///< SVG definitions of the shapes
   std::string sections;
-  std::string spec;                  ///< the spec as given, plain text; omitted if empty
-  std::string foot;                  ///< text of the footer after the version
-  std::string_view style{}, script;  ///< in addition to the style and the script of all pages
+  std::string spec{};                  ///< the spec as given, plain text; omitted if empty
+  std::string foot;                    ///< text of the footer after the version
+  std::string_view style{}, script{};  ///< in addition to the style and the script of all pages
 };
 std::string page_html(const ReportPage& page);
 

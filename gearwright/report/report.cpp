@@ -243,6 +243,9 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
          min_distance_part(pair, units) + "</section>\n";
 }
 
+namespace {
+
+// Returns links to the files that were written together with the page. The result may be empty.
 std::string file_section(const std::vector<ReportFile>& files) {
   if (files.empty()) return {};
   std::string text =
@@ -255,6 +258,18 @@ std::string file_section(const std::vector<ReportFile>& files) {
         file_link(file.name), escaped(file.name), escaped(file.what), escaped(file.note));
   }
   return text + "</tbody></table></div>\n</section>\n";
+}
+
+}  // namespace
+
+std::string page_of(const PageInput& input, ReportPage page) {
+  if (!input.title.empty()) page.title = input.title;
+  page.verdict = escaped(sentence_in(input.units, input.verdict.headline));
+  page.level = to_string(input.verdict.level);
+  page.sections = sentence_in(input.units, page.sections + file_section(input.files));
+  page.spec = input.spec_text;
+  page.script = turn_script();
+  return page_html(page);
 }
 
 std::string report_html(const ReportInput& input) {
@@ -292,16 +307,12 @@ std::string report_html(const ReportInput& input) {
                                                          : input.rack ? "Rack and pinion"
                                                                       : "")) +
       picture_hint();
-  return page_html({.title = input.title.empty() ? default_title(input) : input.title,
-                    .kind = kind_of(input),
-                    .verdict = escaped(sentence_in(units, input.verdict.headline)),
-                    .level = to_string(input.verdict.level),
-                    .head = head,
-                    .definitions = shape_definitions(input.gears, input.rack, kShapes),
-                    .sections = sentence_in(units, sections + file_section(input.files)),
-                    .spec = input.spec_text,
-                    .foot = foot(input),
-                    .script = turn_script()});
+  return page_of(input, {.title = default_title(input),
+                         .kind = kind_of(input),
+                         .head = head,
+                         .definitions = shape_definitions(input.gears, input.rack, kShapes),
+                         .sections = sections,
+                         .foot = foot(input)});
 }
 
 }  // namespace gearwright

@@ -30,8 +30,16 @@ struct ReportFile {
   std::string note;  ///< numbers about the file, such as "within 0.9 µm"; may be empty
 };
 
-struct ReportInput {
-  std::string title;               ///< if empty, a title is made from the tooth numbers
+/// The content of the page of any subject, a pair or a drive.
+struct PageInput {
+  std::string title;  ///< if empty, a title is made from the tooth numbers
+  Verdict verdict;    ///< on the gears, the pair and the contact, or on the drive
+  std::vector<ReportFile> files;
+  std::string spec_text;              ///< the spec, verbatim; omitted if empty
+  UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
+};
+
+struct ReportInput : PageInput {
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
   /// The halves of each double-helical gear. If there are any, `gears` contains one half of each of
@@ -54,10 +62,6 @@ struct ReportInput {
   const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
   const ScatterView* scatter = nullptr;        ///< null if the spec has no [scatter]
   const RatingAnswer* rating = nullptr;        ///< null if the spec requests no rating
-  Verdict verdict;                             ///< on the gears, the pair and the contact
-  std::vector<ReportFile> files;
-  std::string spec_text;              ///< the spec, verbatim; omitted if empty
-  UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
 };
 
 /// Returns the page in UTF-8.

@@ -40,8 +40,9 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
 std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures);
 
-/// Writes links to the files that were written together with the page. The result may be empty.
-std::string file_section(const std::vector<ReportFile>& files);
+/// Returns the page, which contains `page` and the members of `input`: the verdict, links to the
+/// files, the spec and the control that turns gears. `page.title` is used if `input` has no title.
+std::string page_of(const PageInput& input, ReportPage page);
 
 /// Writes the inspection dimensions, with a column for each gear. They consist of the records of
 /// catalogue/gear_quantities.hpp, the values at both ends of the tolerances if there are any, and
@@ -78,7 +79,7 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
 /// Draws the root stress along the fillet of each gear, over the face and during a mesh. The result
 /// is empty if root stresses were not computed.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes,
-                                UnitSystem units = UnitSystem::mm);
+                                UnitSystem units);
 
 /// Writes the section about proposed flank modifications and their effects.
 ///
@@ -95,7 +96,7 @@ std::string compensate_section(const CompensateView& view, UnitSystem units = Un
 /// of the distributions, and the influence of each tolerance.
 ///
 /// Domain    a scatter with samples (contract)
-std::string scatter_section(const ScatterView& view, UnitSystem units = UnitSystem::mm);
+std::string scatter_section(const ScatterView& view, UnitSystem units);
 /// Returns the values of a quantity in all samples, and its percentiles. Returns none if the
 /// quantity is the same in all samples, or if the view has no spread of it. `id` becomes the id of
 /// the figures.

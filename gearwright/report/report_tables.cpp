@@ -130,9 +130,7 @@ std::string no_collision_text(const InvolutePair& p) {
                       "roots and fillets"
                     : "the two finished outlines touch only with their flanks");
   }
-  const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(), [](const Warning& w) {
-    return w.code == WarningCode::contact_lost_to_undercut;
-  });
+  const bool lost = warns(p, WarningCode::contact_lost_to_undercut);
   return fmt::format(
       "<p>No interference was found. Tips keep clear of roots, and {}. The root fillet of the "
       "internal gear is not checked.</p>\n",

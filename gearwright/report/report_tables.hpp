@@ -32,15 +32,15 @@ std::string few_teeth_table(const std::vector<const Gear*>& gears,
                             UnitSystem units = UnitSystem::mm);
 
 /// Writes the quantities that the catalogue defines for a pair, under their headings.
-std::string pair_table(const Pair& pair, UnitSystem units = UnitSystem::mm);
+std::string pair_table(const Pair& pair, UnitSystem units);
 
 /// Writes the points A to E with their distances from the pitch point, radii of curvature and
 /// sliding.
-std::string path_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
+std::string path_table(const InvolutePair& pair, UnitSystem units);
 
 /// Writes the interferences with their names and amounts. If there are none, a sentence states
 /// this.
-std::string interference_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
+std::string interference_table(const InvolutePair& pair, UnitSystem units);
 
 /// Writes a box for each available key figure. These are ratio or travel, centre distance, contact
 /// ratio, backlash (at both ends of the tolerances), mass, safety factors, torque, contact

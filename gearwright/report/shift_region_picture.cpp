@@ -23,13 +23,8 @@ constexpr double kSmallFairPart = 0.12;
 Vec2 design_of(const DesignRow& row) { return {row.shift[0], row.shift[1]}; }
 
 std::string description(const ShiftRegion& region, const DesignRow& row) {
-  return fmt::format(
-      "The profile shift of gear 1 increases to the right, and the profile shift of gear 2 "
-      "increases upwards, in modules. The feasible region has the area {:.4g}. It extends from "
-      "({}, {}) at the least sum of the profile shifts to ({}, {}) at the greatest sum. The design "
-      "is at ({}, {}).",
-      region.area, fixed(region.lo.x(), 4), fixed(region.lo.y(), 4), fixed(region.hi.x(), 4),
-      fixed(region.hi.y(), 4), fixed(row.shift[0], 4), fixed(row.shift[1], 4));
+  return region_words(region) +
+         fmt::format(" The design is at ({}, {}).", fixed(row.shift[0], 4), fixed(row.shift[1], 4));
 }
 
 std::string caption(const ShiftGraph& graph, const ShiftRegion& region, UnitSystem units) {

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
@@ -39,9 +38,7 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
       with_symbols(words), symbol_html(symbol), escaped(unit));
   row_has_value_ = false;
-  beside_ = decisive_keys_.empty() ? rows_ < kFirst
-                                   : std::find(decisive_keys_.begin(), decisive_keys_.end(),
-                                               key_) != decisive_keys_.end();
+  beside_ = decisive_keys_.empty() ? rows_ < kFirst : is_in(key_, decisive_keys_);
   ++rows_;
   if (beside_)
     first_ += (first_.empty() ? ": " : "; ") +

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/gear_shape.hpp"
@@ -233,9 +234,8 @@ Figure tooth_figure(const Gear& gear, const std::string& shape, const std::strin
     if (&arc != &gear.tooth->outline.arcs.front())
       for (const Vec2& p : {arc.begin_point, mirrored(arc.begin_point)})
         f.dot(upright(p), 2.2, "mark");
-    if (std::find(shown.begin(), shown.end(), arc.name) != shown.end()) continue;
-    shown.push_back(arc.name);
-    f.keys.push_back({arc_style(arc.name), words_of(gear, arc.name)});
+    if (add_once(shown, arc.name))
+      f.keys.push_back({arc_style(arc.name), words_of(gear, arc.name)});
   }
   return f;
 }

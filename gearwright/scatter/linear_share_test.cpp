@@ -20,13 +20,7 @@ using Q = ScatterQuantity;
 constexpr std::size_t at(Q q) { return static_cast<std::size_t>(q); }
 
 ScatterTask indexed(std::vector<ScatterTolerance> tolerances, int positions, int samples) {
-  ScatterTask task;
-  for (std::size_t i = 0; i < tolerances.size(); ++i)
-    task.groups.push_back({tolerances[i].name, {i}});
-  task.tolerances = std::move(tolerances);
-  task.member.positions = positions;
-  task.samples = samples;
-  task.replicates = 2;
+  ScatterTask task = testing::task_of(std::move(tolerances), positions, samples, 2);
   task.indices = true;
   return task;
 }

@@ -78,12 +78,9 @@ std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const Load
     of.peak_to_peak = spread([](const LoadedScore& s) { return s.peak_to_peak.rad(); });
     of.max_pressure = spread([](const LoadedScore& s) { return s.max_pressure; });
     of.face_load_factor = spread([](const LoadedScore& s) { return s.face_load_factor; }, 1.0);
-    const auto share = [&](auto is) {
-      return probability_of(std::count_if(scores.begin(), scores.end(), is),
-                            static_cast<std::int64_t>(scores.size()), task.confidence);
-    };
-    of.edge_carries = share([&](const auto& s) { return !s.empty() && s[k].edge_carries; });
-    of.unsolved = share([](const auto& s) { return s.empty(); });
+    of.edge_carries = share_of(scores, task.confidence,
+                               [&](const auto& s) { return !s.empty() && s[k].edge_carries; });
+    of.unsolved = share_of(scores, task.confidence, [](const auto& s) { return s.empty(); });
     all.push_back(std::move(of));
   }
   return all;

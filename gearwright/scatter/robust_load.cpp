@@ -183,14 +183,10 @@ std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const S
   if (!spread) return std::nullopt;
   family.peak_to_peak = std::move(*spread);
   family.loaded = spreads_under_load(judged, load, scores);
-  const auto share = [&](auto is) {
-    return probability_of(std::count_if(scores.begin(), scores.end(), is),
-                          static_cast<std::int64_t>(scores.size()), judged.confidence);
-  };
-  family.edge = share([](const auto& s) {
+  family.edge = share_of(scores, judged.confidence, [](const auto& s) {
     return std::any_of(s.begin(), s.end(), [](const LoadedScore& t) { return t.edge_carries; });
   });
-  family.lost = share([](const auto& s) { return s.empty(); });
+  family.lost = share_of(scores, judged.confidence, [](const auto& s) { return s.empty(); });
   return family;
 }
 

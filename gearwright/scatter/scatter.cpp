@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/scatter/linear_share.hpp"
@@ -64,19 +65,12 @@ std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
   std::size_t from = 0;
   for (std::size_t t = 0; t < task.tolerances.size(); ++t) {
     const auto count = static_cast<std::size_t>(task.tolerances[t].coordinates());
-    if (std::find(group.tolerances.begin(), group.tolerances.end(), t) != group.tolerances.end())
+    if (is_in(t, group.tolerances))
       std::copy_n(b.begin() + static_cast<std::ptrdiff_t>(from), count,
                   a.begin() + static_cast<std::ptrdiff_t>(from));
     from += count;
   }
   return a;
-}
-
-template <class F>
-Probability share_of(const std::vector<ScatterSample>& samples, double confidence, const F& is) {
-  return probability_of(std::count_if(samples.begin(), samples.end(),
-                                      [&](const ScatterSample& s) { return is(s.member); }),
-                        static_cast<std::int64_t>(samples.size()), confidence);
 }
 
 // Returns one quantity of `count` samples, beginning with the sample `from`. The value is none for
@@ -149,10 +143,10 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
     s.spread[q] = spread_of(task, kept(s.samples, q, 0, s.samples.size()), task.samples,
                             possible_values(static_cast<ScatterQuantity>(q)));
   s.edge_contact =
-      share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.edge(); });
-  s.jam = share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jam; });
+      share_of(s.samples, task.confidence, [](const ScatterSample& x) { return x.member.edge(); });
+  s.jam = share_of(s.samples, task.confidence, [](const ScatterSample& x) { return x.member.jam; });
   s.contact_lost =
-      share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.lost; });
+      share_of(s.samples, task.confidence, [](const ScatterSample& x) { return x.member.lost; });
   if (task.indices) {
     begin_stage(task.progress, "computing the samples for the shares of the variance",
                 all * static_cast<std::int64_t>(task.groups.size() + 1));

@@ -14,19 +14,8 @@
 namespace gearwright {
 namespace {
 
+using testing::task_of;
 using Q = ScatterQuantity;
-
-ScatterTask task_of(std::vector<ScatterTolerance> tolerances, int positions, int samples,
-                    int replicates = 8) {
-  ScatterTask task;
-  for (std::size_t i = 0; i < tolerances.size(); ++i)
-    task.groups.push_back({tolerances[i].name, {i}});
-  task.tolerances = std::move(tolerances);
-  task.member.positions = positions;
-  task.samples = samples;
-  task.replicates = replicates;
-  return task;
-}
 
 Scatter done(const ContactSetup& setup, const ScatterTask& task) {
   auto found = scatter_of(setup, task);

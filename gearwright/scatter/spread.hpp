@@ -4,6 +4,7 @@
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.6] to [T14.9]
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -27,5 +28,12 @@ std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& val
                                 int per_replicate, const PossibleValues& possible = {});
 
 Probability probability_of(std::int64_t count, std::int64_t of, double confidence);
+
+/// Returns the probability that `is` is true, from the fraction of the samples for which it is.
+template <class Samples, class F>
+Probability share_of(const Samples& samples, double confidence, const F& is) {
+  return probability_of(std::count_if(samples.begin(), samples.end(), is),
+                        static_cast<std::int64_t>(samples.size()), confidence);
+}
 
 }  // namespace gearwright

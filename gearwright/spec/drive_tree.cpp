@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
@@ -40,9 +41,7 @@ void visit_set(const Json& set, const std::string& path, const std::string& pref
   if (!set.is_object() || !set.contains("material")) return;
   const Json& node = set["material"];
   const std::vector<std::string> names = set_member_names();
-  const auto named = [&](const auto& item) {
-    return std::find(names.begin(), names.end(), item.key()) != names.end();
-  };
+  const auto named = [&](const auto& item) { return is_in(item.key(), names); };
   const auto items = node.items();
   if (node.is_object() && !node.empty() && std::all_of(items.begin(), items.end(), named)) {
     for (const auto& [member, material] : items)

@@ -141,7 +141,7 @@ class Editor {
     std::size_t i = lines_[std::min<std::size_t>(at.line, lines_.size()) - 1];
     for (toml::source_index column = 1; column < at.column && i < text_.size(); ++column) {
       ++i;
-      while (i < text_.size() && (static_cast<unsigned char>(text_[i]) & 0xC0U) == 0x80U) ++i;
+      while (i < text_.size() && !begins_character(text_[i])) ++i;
     }
     return i;
   }

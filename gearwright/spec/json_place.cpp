@@ -1,6 +1,7 @@
 // Finds positions in a JSON text.
 #include <algorithm>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -110,7 +111,7 @@ TextPlace place_at(std::string_view text, std::size_t at) {
     if (c == '\n') {
       ++place.line;
       place.column = 1;
-    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
+    } else if (begins_character(c)) {
       ++place.column;
     }
   }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
@@ -45,7 +46,7 @@ void check_set_names(const TableReader& t, const Json& node, const PlanetarySpec
                          const std::vector<std::string>& present, const char* what) {
     for (const auto& [part, value] : node[key].items()) {
       const auto in = [&part = part](const std::vector<std::string>& names) {
-        return std::find(names.begin(), names.end(), part) != names.end();
+        return is_in(part, names);
       };
       if (in(possible) && !in(present))
         throw SpecError{{t.name(key) + "." + part, shown(value),

@@ -141,7 +141,6 @@ void set_rack_loads(TableReader& t, const GraphInput& in, DriveGraph& graph) {
     t.fail("force_N",
            "must have the sign of speed_m_per_s, because a single input drives; if the other end "
            "drives, give that body as the input");
-  constexpr double kSecondsPerMinute = 60.0;
   if (in.speed_m_per_s)
     graph.speeds_rpm = {*in.speed_m_per_s * kSecondsPerMinute * kMmPerM / *pitch};
   if (in.force_N) graph.torque_Nm = *in.force_N * *pitch / kMmPerM / (2 * std::numbers::pi);

@@ -1,9 +1,8 @@
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -21,7 +20,7 @@ void check_members(const TableReader& t, const DriveSearchProblem& p) {
   const std::vector<SetMember> members = members_of(p);
   for (std::size_t m = 0; m < kSetMembers; ++m) {
     if (!p.teeth[m]) continue;
-    if (std::find(members.begin(), members.end(), static_cast<SetMember>(m)) == members.end())
+    if (!is_in(static_cast<SetMember>(m), members))
       t.fail(kTeeth[m], fmt::format("is not used for drives of kind \"{}\"",
                                     kDriveKindNames[static_cast<std::size_t>(p.kind)]));
   }

@@ -1,9 +1,9 @@
 #include "gearwright/spec/read_gear.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/inherit.hpp"
@@ -20,9 +20,8 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
     t.fail("span_mm",
            "must be a table with one reading for each number of teeth, for example { 3 = 19.751 }");
   for (const auto& [key, value] : node->items()) {
-    int k = 0;
-    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), k);
-    if (error != std::errc() || end != key.data() + key.size() || k < 1 || k > 100000)
+    const std::int64_t k = whole_number(key).value_or(0);
+    if (k < 1 || k > 100000)
       t.fail("span_mm", "\"" + printable(key, 20) +
                             "\" is not a number of teeth; write each reading after its number of "
                             "teeth, for example { 3 = 19.751 }");
@@ -30,7 +29,7 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
     const double span = value.is_number() ? value.get<double>() : 0.0;
     if (!range.contains(span))
       t.fail("span_mm", "the span over " + key + " teeth " + range.sentence(span));
-    p.spans.push_back({k, span});
+    p.spans.push_back({static_cast<int>(k), span});
   }
   std::sort(p.spans.begin(), p.spans.end(),
             [](const SpanReading& a, const SpanReading& b) { return a.teeth < b.teeth; });

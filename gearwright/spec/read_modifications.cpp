@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <locale>
 #include <sstream>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
@@ -27,21 +27,6 @@ namespace fs = std::filesystem;
 // lines are rejected. They are probably one line that was measured twice, and a spline would turn
 // the noise between them into a slope.
 constexpr double kMinStep = 1e-4;
-
-std::string_view trimmed(std::string_view s) {
-  const std::size_t begin = s.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return s.substr(begin, s.find_last_not_of(" \t\r") - begin + 1);
-}
-
-// Converts a number, independently of the locale.
-std::optional<double> number_of(std::string_view cell) {
-  std::istringstream in{std::string(cell)};
-  in.imbue(std::locale::classic());
-  double x = 0.0;
-  if (!(in >> x) || in.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
-  return x;
-}
 
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells = split(line, ',');
@@ -80,7 +65,7 @@ Result<std::vector<Row>> rows_of(std::string_view csv) {
     std::array<double, 3> x{};
     bool good = cells.size() == x.size();
     for (std::size_t i = 0; good && i < x.size(); ++i) {
-      const auto value = number_of(cells[i]);
+      const auto value = decimal_number(cells[i]);
       good = value.has_value();
       x[i] = value.value_or(0.0);
     }

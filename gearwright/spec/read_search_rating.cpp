@@ -6,6 +6,7 @@
 
 #include "gearwright/arrange/judge.hpp"
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/spec/missing_for.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -41,8 +42,7 @@ std::string rating_key(const Json& search) {
   for (std::size_t i = 0; i < kObjectiveNames.size(); ++i) {
     const Json name = kObjectiveNames[i];
     if (needs_rating(static_cast<Objective>(i)) &&
-        (objective == name || (objective.is_array() && std::find(objective.begin(), objective.end(),
-                                                                 name) != objective.end())))
+        (objective == name || (objective.is_array() && is_in(name, objective))))
       return "objective";
   }
   return "";

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gearwright/base/lists.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -158,8 +160,7 @@ Result<std::vector<RexsLink>> rexs_links(const RexsModel& model,
     if (!set) return set.error();
     RexsLink& link = links.emplace_back();
     for (const auto& [body, parts] : set->bodies)
-      if (std::find(set->held.begin(), set->held.end(), body) == set->held.end())
-        link.terminals.push_back({body, parts});
+      if (!is_in(body, set->held)) link.terminals.push_back({body, parts});
     link.set = std::move(set).take();
   }
   return links;

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/zip.hpp"
 #include "gearwright/spec/spec_text.hpp"
@@ -116,9 +117,7 @@ std::string escaped(std::string_view text) {
 
 // Returns the extension of a file in lower case, such as ".rexsz".
 std::string lower_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
+  return lower_case(path.extension().string());
 }
 
 // Returns the only REXS file in an archive. Other files, such as load spectra, are not read.
@@ -237,11 +236,10 @@ const RexsComponent* RexsModel::related(std::string_view id,
                                         std::initializer_list<std::string_view> with,
                                         std::initializer_list<std::string_view> types) const {
   for (const RexsRelation& r : relations) {
-    if (std::find(with.begin(), with.end(), r.type) == with.end() || !r.names(id)) continue;
+    if (!is_in(r.type, with) || !r.names(id)) continue;
     for (const auto& [role, other] : r.refs) {
       const RexsComponent* const c = find(other);
-      if (c && c->id != id && std::find(types.begin(), types.end(), c->type) != types.end())
-        return c;
+      if (c && c->id != id && is_in(c->type, types)) return c;
     }
   }
   return nullptr;

@@ -10,6 +10,8 @@
 #include <set>
 #include <vector>
 
+#include "gearwright/base/lists.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/spec/rexs_set.hpp"
 
@@ -51,8 +53,7 @@ constexpr std::array kRows{
 
 const RexsNumber* row_of(std::string_view type, std::string_view attribute) {
   const auto it = std::find_if(kRows.begin(), kRows.end(), [&](const RexsNumber& row) {
-    return row.attribute == attribute &&
-           std::find(row.types.begin(), row.types.end(), type) != row.types.end();
+    return row.attribute == attribute && is_in(type, row.types);
   });
   return it == kRows.end() ? nullptr : &*it;
 }
@@ -70,13 +71,7 @@ bool same_unit(std::string unit, std::string expected) {
 std::optional<double> RexsComponent::number(std::string_view attribute) const {
   const auto it = attributes.find(attribute);
   if (it == attributes.end()) return std::nullopt;
-  const std::string& text = it->second;
-  // strtod also reads spaces, hexadecimal numbers, "inf" and "nan".
-  if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value))
-    return std::nullopt;
+  const auto value = decimal_number(it->second);
   return value == 0.0 ? 0.0 : value;  // gives 0 instead of −0
 }
 

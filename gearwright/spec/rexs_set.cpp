@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "gearwright/base/lists.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -102,9 +104,9 @@ class SetFinder {
       const Gears met = partners(one);
       if (shaft_of(one) && shaft_of(one) == shaft_of(two))
         names = {"planet", "planet2"};
-      else if (std::find(met.begin(), met.end(), &two) != met.end() && only_a_sun(one))
+      else if (is_in(&two, met) && only_a_sun(one))
         names = {"idler", "planet"};
-      else if (std::find(met.begin(), met.end(), &two) != met.end() && only_a_sun(two))
+      else if (is_in(&two, met) && only_a_sun(two))
         names = {"planet", "idler"};
     }
     for (std::size_t k = 0; k < kinds.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/short_forms.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
@@ -191,10 +192,7 @@ class Reader {
     if (value) table[key] = *value;
   }
 
-  void note(std::string text) {
-    if (std::find(notes_.begin(), notes_.end(), text) == notes_.end())
-      notes_.push_back(std::move(text));
-  }
+  void note(std::string text) { add_once(notes_, std::move(text)); }
 
   static std::optional<double> distance_of(const RexsStage& s) {
     return s.stage->number("center_distance");
@@ -389,7 +387,7 @@ class Reader {
                          std::all_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
                            return a.first == "defines_speed" || a.first == "rotational_speed";
                          });
-      if (!plain && std::find(kRead.begin(), kRead.end(), c.type) == kRead.end()) ++left[c.type];
+      if (!plain && !is_in(c.type, kRead)) ++left[c.type];
     }
     std::string list;
     for (const auto& [type, count] : left)

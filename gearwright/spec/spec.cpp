@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -197,15 +198,16 @@ void find_input_torques(const Json& tree, JobSpec& spec) {
                      "applies to a pair; for a drive, give the torque on the input by torque_Nm, "
                      "T_in = T_out/(i η). The command `gearwright drive` computes i and η without "
                      "a torque"}};
-  double share = 1.0;  // torque on gear 1 divided by the torque on the driven gear
-  if (load.driver != 2) {
-    if (!spec.has(1) || !spec.has(2)) return;
-    share = std::abs(static_cast<double>(spec.gear(1).cylindrical.teeth) /
-                     spec.gear(2).cylindrical.teeth);
-  }
-  for (const double torque : load.output_torques) load.torques.push_back(torque * share);
+  const bool on_gear_2 = load.driver != 2;
+  if (on_gear_2 && !(spec.has(1) && spec.has(2))) return;
+  const auto on_gear_1 = [&](double torque) {
+    return on_gear_2 ? balancing_torque(torque, spec.gear(1).cylindrical.teeth,
+                                        spec.gear(2).cylindrical.teeth)
+                     : torque;
+  };
+  for (const double torque : load.output_torques) load.torques.push_back(on_gear_1(torque));
   if (!rating.output_torque) return;
-  rating.torque = *rating.output_torque * share;
+  rating.torque = on_gear_1(*rating.output_torque);
   rating.input.torque = *rating.torque;
 }
 
@@ -265,9 +267,7 @@ RackBar read_rack_bar(const Json& rack, const Json& tree, const std::optional<Ge
       "center_distance_mm",          "speed_rpm",    "friction_coefficient", "backlash_mm",
       "backlash_circumferential_mm", "backlash_deg", "backlash_split"};
   for (const auto& [key, value] : pair->items()) {
-    if (std::find(kOfRacks.begin(), kOfRacks.end(), key) != kOfRacks.end() ||
-        !pair_keys().find(key))
-      continue;
+    if (is_in(key, kOfRacks) || !pair_keys().find(key)) continue;
     throw SpecError{
         {"pair." + key, shown(value),
          fmt::format("does not apply to a rack and pinion, for which only {} are allowed",

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/rexs_file.hpp"
 #include "gearwright/spec/table_reader.hpp"
@@ -207,12 +208,6 @@ std::string_view line_at(std::string_view text, unsigned number) {
   return text.substr(0, text.find_first_of("\r\n"));
 }
 
-std::string_view stripped(std::string_view text, std::string_view of = " \t") {
-  const std::size_t begin = text.find_first_not_of(of);
-  return begin == text.npos ? std::string_view()
-                            : text.substr(begin, text.find_last_not_of(of) + 1 - begin);
-}
-
 // Returns the path of the key whose value the parser reads at `at`, which are the names in the
 // nearest header above, in the line and in its open inline tables.
 std::string path_at(std::string_view text, const toml::source_position& at) {
@@ -220,17 +215,17 @@ std::string path_at(std::string_view text, const toml::source_position& at) {
   std::map<std::string, int, std::less<>> lists;  // number of headers [[name]] so far
   std::string_view rest = text;
   for (unsigned n = 1; n <= at.line; ++n) {
-    const std::string_view header = stripped(rest.substr(0, rest.find_first_of("\r\n")));
+    const std::string_view header = trimmed(rest.substr(0, rest.find_first_of("\r\n")));
     rest.remove_prefix(std::min(rest.size(), rest.find('\n')));
     if (!rest.empty()) rest.remove_prefix(1);
     if (!header.starts_with('[')) continue;
-    path = stripped(header.substr(0, header.find(']')), " \t[");
+    path = trimmed(header.substr(0, header.find(']')), " \t[");
     if (header.starts_with("[[")) path += fmt::format("[{}]", ++lists[path]);
   }
   std::vector<std::string> names{""};
   std::string_view line = line_at(text, at.line).substr(0, at.column);
   for (std::size_t begin = 0, i = 0; i < line.size(); ++i) {
-    if (line[i] == '=') names.back() = stripped(line.substr(begin, i - begin), " \t\"'");
+    if (line[i] == '=') names.back() = trimmed(line.substr(begin, i - begin), " \t\"'");
     if (line[i] == '{') names.emplace_back();
     if (line[i] == '}' && names.size() > 1) names.pop_back();
     if (line[i] == '=' || line[i] == '{' || line[i] == ',') begin = i + 1;

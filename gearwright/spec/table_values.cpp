@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -133,8 +134,7 @@ std::optional<std::string> TableReader::text(const std::string& key) {
 std::optional<std::string> TableReader::word(const std::string& key) {
   const std::optional<std::string> word = text(key);
   const auto& words = entry(key).words;
-  if (word && std::find(words.begin(), words.end(), *word) == words.end())
-    fail(key, one_of_rule(*word, {words.begin(), words.end()}));
+  if (word && !is_in(*word, words)) fail(key, one_of_rule(*word, {words.begin(), words.end()}));
   return word;
 }
 
@@ -157,8 +157,7 @@ std::optional<std::vector<int>> TableReader::words(const Key& key) {
                              list ? " " + printable(word, 60) : "", word_hint(word, known, meant)));
     }
     const int index = static_cast<int>(it - known.begin());
-    if (std::find(words.begin(), words.end(), index) != words.end())
-      fail(name, fmt::format("contains {} twice", word));
+    if (is_in(index, words)) fail(name, fmt::format("contains {} twice", word));
     words.push_back(index);
   }
   return words;
@@ -175,7 +174,7 @@ std::optional<std::vector<std::string>> TableReader::texts(const Key& key) {
     if (!item.is_string()) fail(name, rule);
     const std::string text = item.get<std::string>();
     // If a key requires two names, its own rule applies to equal names.
-    if (key.list->single && std::find(texts.begin(), texts.end(), text) != texts.end())
+    if (key.list->single && is_in(text, texts))
       fail(name, fmt::format("contains {} twice", printable(text, 60)));
     texts.push_back(text);
   }
@@ -193,7 +192,7 @@ std::optional<KeyValue> TableReader::by_name(const Key& key) {
   const std::vector<std::string>& known = key.place.names();
   NamedNumbers named;
   for (const auto& [part, number] : node->items()) {
-    if (std::find(known.begin(), known.end(), part) == known.end()) {
+    if (!is_in(part, known)) {
       throw SpecError{{this->name(name) + "." + printable(part, 40), shown(number),
                        fmt::format("unknown name; the names are {}", fmt::join(known, ", "))}};
     }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/base/lists.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/table_reader.hpp"
@@ -24,11 +25,6 @@ constexpr std::array<std::string_view, 1> kMixed{"scatter.robust.range"};
 constexpr std::array<std::string_view, 9> kSentences{"message", "headline",       "remedy",
                                                      "reason",  "note",           "errors",
                                                      "branch",  "safest_finding", "amounts"};
-
-template <class List>
-bool is_one_of(const List& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 // Returns the unit of a path if its last part is a key of the catalogue, and null otherwise. A part
 // that is not a key is a name that the user chose. Such a name has no unit, even if it ends in
@@ -82,7 +78,7 @@ class SpecInMm {
     for (const auto& [key, value] : from.items()) {
       const std::string file = written.empty() ? key : written + "." + key;
       if (declared_metric(key)) refuse_mm(file, key, value);
-      if (is_one_of(kMixed, file))
+      if (is_in(file, kMixed))
         fail_at(file, value,
                 "is not supported in a spec with units = \"inch\", because it applies to "
                 "corrections in different units; leave out this key, or give a spec in mm");
@@ -187,11 +183,11 @@ Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* p
   Json::object_t to;
   for (const auto& [key, item] : value.items()) {
     const bool chosen = tree == Tree::by_name || (tree == Tree::spec && !is_spec_key(key));
-    const Tree inner = tree == Tree::spec                            ? tree
-                       : is_one_of(kByName, key) && item.is_object() ? Tree::by_name
-                       : is_one_of(kShares, key) && item.is_object() ? Tree::shares
-                       : tree == Tree::shares                        ? tree
-                                                                     : Tree::record;
+    const Tree inner = tree == Tree::spec                        ? tree
+                       : is_in(key, kByName) && item.is_object() ? Tree::by_name
+                       : is_in(key, kShares) && item.is_object() ? Tree::shares
+                       : tree == Tree::shares                    ? tree
+                                                                 : Tree::record;
     const KeyUnit* const own = chosen ? nullptr : metric_unit(key);
     const KeyUnit* const named = named_unit(value, key, metric_unit);
     const bool table_per = own && own->inverse && item.is_object();
@@ -205,7 +201,7 @@ Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* p
       made = spec_in(UnitSystem::inch, item);
     else if (item.is_string() && names_unit(key))
       made = key_in(UnitSystem::inch, "_" + item.get<std::string>()).substr(1);
-    else if (is_one_of(kSentences, key) &&
+    else if (is_in(key, kSentences) &&
              (item.is_string() || (item.is_array() && !item.empty() && item[0].is_string())))
       made = sentences_in_inch(item);
     else if (item.is_string() && named)

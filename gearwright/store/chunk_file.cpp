@@ -1,11 +1,9 @@
 #include "gearwright/store/chunk_file.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <system_error>
@@ -13,7 +11,9 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/packing.hpp"
 #include "gearwright/base/system.hpp"
 
 namespace gearwright {
@@ -59,8 +59,8 @@ std::string header(std::uint32_t stamp, std::int64_t chunk, std::string_view pay
   append_u32(out, static_cast<std::uint32_t>(counts.rejected.size()));
   for (const std::int64_t n : counts.rejected) append_i64(out, n);
   append_i64(out, static_cast<std::int64_t>(payload.size()));
-  append_u32(out, checksum(payload));
-  append_u32(out, checksum(out));
+  append_u32(out, crc32_of(payload));
+  append_u32(out, crc32_of(out));
   return out;
 }
 
@@ -71,10 +71,8 @@ ChunkRead broken(std::string damage) {
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
 std::optional<std::int64_t> number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
-  return value;
+  const auto value = whole_number(text);
+  return value && *value >= 0 ? value : std::nullopt;
 }
 
 std::vector<fs::path> entries(const fs::path& folder) {
@@ -123,11 +121,6 @@ bool path_exists(const fs::path& path) {
   return found;
 }
 
-std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
 ChunkFolder::ChunkFolder(fs::path folder, std::uint32_t stamp)
     : folder_(std::move(folder)), stamp_(stamp), host_(host_in_names()) {}
 
@@ -169,7 +162,7 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
   if (constraints > kMaxConstraints) return broken("has a wrong checksum in its header");
   const std::size_t start = kHeader + 8 * constraints;
   if (bytes.size() < start) return broken(fmt::format("is only {} bytes long", length));
-  if (checksum(std::string_view(bytes).substr(0, start - 4)) != u32_at(bytes, start - 4)) {
+  if (crc32_of(std::string_view(bytes).substr(0, start - 4)) != u32_at(bytes, start - 4)) {
     return broken("has a wrong checksum in its header");
   }
   const std::int64_t size = i64_at(bytes, start - 16);
@@ -193,7 +186,7 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
   if (depth == Depth::header) return found;
   const std::uint32_t sum = u32_at(bytes, start - 8);
   bytes.erase(0, start);
-  if (bytes.size() != static_cast<std::size_t>(size) || checksum(bytes) != sum) {
+  if (bytes.size() != static_cast<std::size_t>(size) || crc32_of(bytes) != sum) {
     return broken("has a wrong checksum");
   }
   found.payload = std::move(bytes);

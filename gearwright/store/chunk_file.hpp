@@ -77,7 +77,4 @@ class ChunkFolder {
 /// True if `path` exists.   Throws  IoError if the system cannot determine whether `path` exists
 bool path_exists(const std::filesystem::path& path);
 
-/// CRC-32, as in ZIP.
-std::uint32_t checksum(std::string_view bytes);
-
 }  // namespace gearwright

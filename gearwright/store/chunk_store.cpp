@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/packing.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/store/chunk_file.hpp"
 #include "gearwright/store/chunk_journal.hpp"
@@ -261,7 +262,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
                                     std::string writer) {
   GW_EXPECTS(campaign.chunks >= 0 && rejected_names.size() <= kMaxConstraints);
   const Record record = record_of(campaign, rejected_names);
-  ChunkFolder files(folder / "chunks", checksum(text_of(record)));
+  ChunkFolder files(folder / "chunks", crc32_of(text_of(record)));
   // The mode is checked before the folder is made, so that a rejected request changes nothing.
   if (!is_in(folder)) {
     if (auto error = refusal(folder, {}, record, files, as)) return *std::move(error);

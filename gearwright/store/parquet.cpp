@@ -18,6 +18,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/store/parquet_column.hpp"
@@ -41,32 +42,6 @@ constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // greatest length of 
 // text, and the definition levels.
 static_assert(ParquetWriter::kGroupTextBytes + kTextLimit + 5 * ParquetWriter::kGroupRows <
               std::numeric_limits<std::int32_t>::max());
-
-// True if every character is complete, has its shortest encoding, is no surrogate and is at most
-// U+10FFFF.
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-    const unsigned lead = byte(i++);
-    if (lead < 0x80) continue;
-    if (lead < 0xc2 || lead > 0xf4) return false;
-    const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
-    unsigned character = lead & (0x3fu >> more);
-    for (int k = 0; k < more; ++k, ++i) {
-      if (i == text.size() || (byte(i) & 0xc0) != 0x80) return false;
-      character = character << 6 | (byte(i) & 0x3fu);
-    }
-    constexpr unsigned kMinOfLength[] = {0x80, 0x800, 0x10000};
-    if (character < kMinOfLength[more - 1] || character > 0x10ffff) return false;
-    if (character >= 0xd800 && character < 0xe000) return false;
-  }
-  return true;
-}
-
-std::string lower_case(std::string text) {  // changes only A to Z, in every locale
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
 
 }  // namespace
 

@@ -22,26 +22,22 @@ EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cut
 
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
-  if (!(rack.addendum >= 0.0 && rack.addendum <= kMaxModules)) {
-    return refused("rack.addendum", rack.addendum, {0.0, kMaxModules},
-                   "must lie between {} and {}");
-  }
-  if (!(rack.dedendum > 0.0 && rack.dedendum <= kMaxModules)) {
-    return refused("rack.dedendum", rack.dedendum, {0.0, kMaxModules},
-                   "must be greater than {} and at most {}");
-  }
-  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMaxModules)) {
-    return refused("rack.root_fillet_radius", rack.root_fillet_radius, {0.0, kMaxModules},
-                   "must lie between {} (a sharp corner) and {}");
-  }
-  if (!(rack.tip_fillet_radius >= 0.0 && rack.tip_fillet_radius <= kMaxModules)) {
-    return refused("rack.tip_fillet_radius", rack.tip_fillet_radius, {0.0, kMaxModules},
-                   "must lie between {} (none) and {}");
-  }
-  if (!(rack.protuberance >= 0.0 && rack.protuberance <= kMaxModules)) {
-    return refused("rack.protuberance", rack.protuberance, {0.0, kMaxModules},
-                   "must lie between {} (none) and {}");
-  }
+  struct Length {
+    const char* member;
+    double value;
+    bool positive;
+    const char* rule;
+  };
+  for (const auto& [member, value, positive, rule] :
+       {Length{"rack.addendum", rack.addendum, false, "must lie between {} and {}"},
+        Length{"rack.dedendum", rack.dedendum, true, "must be greater than {} and at most {}"},
+        Length{"rack.root_fillet_radius", rack.root_fillet_radius, false,
+               "must lie between {} (a sharp corner) and {}"},
+        Length{"rack.tip_fillet_radius", rack.tip_fillet_radius, false,
+               "must lie between {} (none) and {}"},
+        Length{"rack.protuberance", rack.protuberance, false, "must lie between {} (none) and {}"}})
+    if (!((positive ? value > 0.0 : value >= 0.0) && value <= kMaxModules))
+      return refused(member, value, {0.0, kMaxModules}, rule);
   if (rack.protuberance > 0.0) {
     const double a = rack.protuberance_angle.deg();
     if (!(a > 0.0 && a < alpha_deg)) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/lists.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/pair/drive.hpp"
@@ -260,8 +261,7 @@ std::vector<std::string> detail::reasons(const std::vector<Finding>& findings, c
   for (std::size_t i = first; i < findings.size(); ++i) {
     if (findings[i].level != level) continue;
     const std::string reason = reason_of(findings[i], judged);
-    if (reason.empty() || std::find(list.begin(), list.end(), reason) != list.end()) continue;
-    list.push_back(reason);
+    if (!reason.empty()) add_once(list, reason);
   }
   return list;
 }

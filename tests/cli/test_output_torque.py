@@ -40,6 +40,7 @@ class OutputTorque(unittest.TestCase):
     def test_load_has_the_torque_on_gear_1(self):
         self.assertEqual(self.torques(50, "output_torque_Nm = [100, 250]\n"), [40, 100])
         self.assertEqual(self.torques(-50, "output_torque_Nm = 250\n"), [100])
+        self.assertEqual(self.torques(78, "output_torque_Nm = 390\n"), [100])  # 390 · (20/78) is less than 100 in double
         self.assertEqual(self.torques(50, "output_torque_Nm = 100\ndriver = 2\n"), [100])
 
     def test_rating_has_the_torque_on_both_gears(self):

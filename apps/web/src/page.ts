@@ -5,6 +5,7 @@ import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./element
 import { Form } from "./form/form";
 import { linkOf } from "./link";
 import { showLengthsIn } from "./numbers";
+import { Pause } from "./pauses";
 import { QuantityPane } from "./quantities";
 import { Starts } from "./starts";
 import { Tabs, type Tab } from "./tabs";
@@ -212,14 +213,13 @@ export class Page {
     document.title = words + " – Gearwright";
   }
 
-  private timer = 0;
+  private readonly typing = new Pause(250);
   private address(): void {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(async () => {
+    this.typing.run(async () => {
       if (bench.text.length > kMostCharacters) return;
       const hash = await linkOf(bench.text);
       if (hash !== location.hash) history.replaceState(null, "", hash);
-    }, 250);
+    });
   }
 
   private async copyLink(): Promise<void> {
@@ -233,12 +233,11 @@ export class Page {
     }
   }
 
-  private fading = 0;
-  notify(sentence: string, forMs = 4000): void {
+  private readonly fading = new Pause(4000);
+  notify(sentence: string, forMs?: number): void {
     this.toast.textContent = sentence;
     this.toast.classList.add("shown");
-    clearTimeout(this.fading);
-    this.fading = window.setTimeout(() => this.toast.classList.remove("shown"), forMs);
+    this.fading.run(() => this.toast.classList.remove("shown"), forMs);
   }
 
   private save(): void {

@@ -5,6 +5,7 @@
 import type { Row } from "../engine/engine";
 import { fill, h, scroller } from "./elements";
 import { onUnitChange } from "./numbers";
+import { Pause } from "./pauses";
 import { fillCell, quantityTable } from "./quantity_table";
 import { markRevision } from "./revision";
 import { bench } from "./workbench";
@@ -32,7 +33,7 @@ export class QuantityPane {
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
   private readonly altered = new Set<HTMLElement>();
-  private rest = 0;
+  private readonly glow = new Pause(kFadeMs);
 
   constructor() {
     bench.on("read", () => this.update());
@@ -80,8 +81,7 @@ export class QuantityPane {
         if (old.texts[i] !== text || old.ends[i] !== row.ends[i]) this.alter(row, i);
       });
     });
-    clearTimeout(this.rest);
-    this.rest = window.setTimeout(() => this.fade(), kFadeMs);
+    this.glow.run(() => this.fade());
   }
 
   /** Shows and highlights a new value. */

@@ -5,7 +5,7 @@ import { h, sentenceOf } from "./elements";
 import { bench } from "./workbench";
 import type { Tab } from "./tabs";
 
-const kRestMs = 350; // pause before the report is updated
+const kPauseMs = 350; // pause before the report is updated
 
 export class SheetView implements Tab {
   readonly id = "sheet";
@@ -24,7 +24,7 @@ export class SheetView implements Tab {
     }
     const { text } = bench.good;
     if (text === this.shown) return;
-    if (this.shown) await new Promise((rested) => setTimeout(rested, kRestMs));
+    if (this.shown) await new Promise((rested) => setTimeout(rested, kPauseMs));
     if (bench.good?.text === text) await this.load(text);
   }
 

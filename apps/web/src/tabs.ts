@@ -3,11 +3,12 @@
 import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
 import { onUnitChange } from "./numbers";
+import { Pause } from "./pauses";
 import { markLate, markRevision } from "./revision";
 import { bench, isDrive } from "./workbench";
 
 /** After this pause in the changes, contact, load and rating are judged even if their tabs are hidden. */
-const kRestMs = 700;
+const kPauseMs = 700;
 
 export interface Tab {
   readonly id: string; // the identifier, which is also the name
@@ -46,7 +47,7 @@ export class Tabs {
   opened: (id: string) => void = () => undefined;
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
-  private rest = 0;
+  private readonly pause = new Pause(kPauseMs);
   private ofDrive = false;
 
   constructor(readonly tabs: Tab[]) {
@@ -89,8 +90,7 @@ export class Tabs {
       if (moves && !this.ofDrive) this.open(this.tabs[0]!.id);
       else if (moves) this.open(this.tabs.find((tab) => tab.ofDrives)!.id);
       else void this.refresh();
-      clearTimeout(this.rest);
-      this.rest = window.setTimeout(() => void this.judge(), kRestMs);
+      this.pause.run(() => void this.judge());
     });
     onUnitChange(() => {
       for (const tab of this.tabs) {

@@ -7,6 +7,7 @@
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Row } from "../engine/engine";
 import type { Fault, Json, Known, Questions, Solved } from "./engine_worker";
+import { Changes, Pause } from "./pauses";
 
 type Listener = () => void;
 /** The greatest length of a text that is accepted as a spec. The longest example has 1600 characters. */
@@ -15,8 +16,6 @@ export const kMostCharacters = 1_000_000;
 const kOneStepMs = 900;
 /** While a value changes, words and numbers are renewed after this time, because nobody can read them faster, ms. */
 const kReadMs = 100;
-/** A value rests if it has not changed for this time, ms. */
-const kRestMs = 200;
 
 class Workbench {
   text = "";
@@ -46,9 +45,8 @@ class Workbench {
   /** The last rows of a result, and the number of this result. */
   private rows: { list: Row[]; number: number } = { list: [], number: 0 };
   private lastRead = 0; // ms, the time at which words and numbers were renewed last
-  private rest = 0;
-  private lastSolved = 0; // ms, the time of the last result
-  private quick = false; // true if the last result followed another one within kRestMs, or a change followed it
+  private readonly reading = new Pause(kReadMs);
+  private readonly results = new Changes();
   private readonly listeners = new Map<string, Set<Listener>>();
 
   /** "solved" is for pictures. "read" is for words and numbers, and comes less often while a value changes. */
@@ -150,11 +148,11 @@ class Workbench {
 
   /** True while a value changes continuously. */
   get moving(): boolean {
-    return this.quick && performance.now() - this.lastSolved < kRestMs;
+    return this.results.moving;
   }
   /** If a value changes continuously, waits until it rests. Returns false if the result is not the last one. */
   async rested({ text }: Solved): Promise<boolean> {
-    if (this.moving) await new Promise((go) => setTimeout(go, kRestMs));
+    await this.results.rest();
     return this.good?.text === text;
   }
 
@@ -191,17 +189,15 @@ class Workbench {
     this.solved = solved;
     if (solved.result) this.good = solved;
     else if (this.finder) this.good = null;
-    const now = performance.now();
-    this.lastMs = now - begin;
+    this.lastMs = performance.now() - begin;
     // If the page was busy with a picture, the next change has come in the meantime.
-    this.quick = this.edits.size > 0 || now - this.lastSolved < kRestMs;
-    this.lastSolved = now;
+    this.results.add(this.edits.size > 0);
     this.unread = true;
     this.notify("solved");
     if (solved.rows) this.rows = { list: solved.rows, number: solved.number };
-    clearTimeout(this.rest);
+    this.reading.cancel();
     if (read) void this.read(solved);
-    else this.rest = window.setTimeout(() => void this.read(solved), kReadMs);
+    else this.reading.run(() => void this.read(solved));
   }
 
   /** Renews words and numbers. */

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
@@ -129,6 +131,22 @@ inline ToothedBody ring_body(int z, double m, double twist, double width, double
   append(o, ArcName::flank, std::make_shared<RingInvolute>(r_b, psi_b), roll(r_f), roll(r_a));
   append(o, ArcName::tip_land, std::make_shared<SampleCircle>(r_a), angle(r_a), 0);
   return body;
+}
+
+/// Returns bodies with and without a bore and a keyway, with pointed, undercut and few teeth, and an
+/// internal gear. `one_tooth` is one of them.
+inline std::vector<ToothedBody> bodies_with(ToothedBody one_tooth) {
+  ToothedBody keyed = sample_body({});
+  keyed.bore = Bore{16.0, 5.0, 2.3};
+  ToothedBody bored = sample_body({.teeth = 31, .beta = 0.3, .chamfer = 0.2});
+  bored.bore = Bore{20.0};
+  return {keyed,
+          bored,
+          sample_body({.pointed = true, .full_radius_root = true}),
+          undercut_body(8, 2.0, 1.25, 0.8, 0.0, 10.0),
+          std::move(one_tooth),
+          few_tooth_body(2, 5.0, 0.0, 10.0),
+          ring_body(40, 2.0, 0.0, 10.0, 100.0)};
 }
 
 }  // namespace gearwright::testing

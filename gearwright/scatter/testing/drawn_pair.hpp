@@ -6,6 +6,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/scatter/scatter.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright::testing {
@@ -84,6 +85,19 @@ inline ScatterTolerance crossing(double deg) {
 }
 inline ScatterTolerance intersecting(double deg) {
   return tolerance("errors.intersecting_deg", kRadPerDeg, -deg, deg, VaryingError::intersecting);
+}
+
+/// Returns a task in which each tolerance is a group of its own.
+inline ScatterTask task_of(std::vector<ScatterTolerance> tolerances, int positions, int samples,
+                           int replicates = 8) {
+  ScatterTask task;
+  for (std::size_t i = 0; i < tolerances.size(); ++i)
+    task.groups.push_back({tolerances[i].name, {i}});
+  task.tolerances = std::move(tolerances);
+  task.member.positions = positions;
+  task.samples = samples;
+  task.replicates = replicates;
+  return task;
 }
 
 }  // namespace gearwright::testing

@@ -6,6 +6,7 @@ import type { ContactCurve, ContactView as FigureView, Figure, FlankRaster } fro
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
 import { Figures } from "../figure_slot";
 import { judgement } from "../judgement";
+import { Pause } from "../pauses";
 import { quantityTable } from "../quantity_table";
 import { markRevision } from "../revision";
 import { bench, hasRack } from "../workbench";
@@ -16,7 +17,7 @@ import { ContactSliders } from "./sliders";
 
 const kPositions = 64;
 /** The pause after the last change before the numbers of the verb contact are computed. */
-const kRestMs = 700;
+const kPauseMs = 700;
 type Timed = ContactCurve & { milliseconds: number };
 
 export class ContactView implements Tab {
@@ -60,10 +61,10 @@ export class ContactView implements Tab {
   shown = "";
   private marked = ""; // the text of the spec whose pattern is shown on the flanks
   private asked = ""; // the spec text for which `contact` has run last, or is running
-  private rest = 0;
+  private readonly pause = new Pause(kPauseMs);
 
   leave(): void {
-    clearTimeout(this.rest);
+    this.pause.cancel();
   }
   inUnits(): void {
     this.shown = this.asked = "";
@@ -71,7 +72,7 @@ export class ContactView implements Tab {
   }
 
   async refresh(): Promise<void> {
-    clearTimeout(this.rest);
+    this.pause.cancel();
     this.sliders.build();
     this.errorMap.build();
     this.sliders.show();
@@ -95,7 +96,7 @@ export class ContactView implements Tab {
     fill(this.table);
     if (!(await bench.rested(solved))) return;
     await this.pattern(solved.text);
-    this.rest = window.setTimeout(() => void this.judge(), kRestMs);
+    this.pause.run(() => void this.judge());
   }
 
   private clear(sentence: string): void {

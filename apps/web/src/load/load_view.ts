@@ -8,11 +8,12 @@ import { Figures } from "../figure_slot";
 import type { Fault, Json, Loaded } from "../engine_worker";
 import { firstMaterial, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
+import { Pause } from "../pauses";
 import { at, bench } from "../workbench";
 import { Proposals } from "./proposals";
 
 /** The pause after the last change before the full result is computed. */
-const kRestMs = 1200;
+const kPauseMs = 1200;
 const kNeeds = {
   keys: ["load.torque_Nm"],
   without: "The spec has no torque.",
@@ -68,7 +69,7 @@ export class LoadView extends AnswerView<Answer> {
   private full = false; // false if the result is a draft
   private torque = 0;
   private index = -1;
-  private rest = 0;
+  private readonly pause = new Pause(kPauseMs);
   private wanted = ""; // accuracy and text of the current request
 
   constructor() {
@@ -85,7 +86,7 @@ export class LoadView extends AnswerView<Answer> {
   }
 
   async refresh(): Promise<void> {
-    clearTimeout(this.rest);
+    this.pause.cancel();
     const solved = this.pair();
     if (!solved) return;
     this.proposals.show(solved.text);
@@ -93,7 +94,7 @@ export class LoadView extends AnswerView<Answer> {
     else if (this.wanted === "full" + solved.text) this.wait();
     else await this.compute(solved.text, "draft");
     if (this.shown === solved.text && !this.full && this.answer)
-      this.rest = window.setTimeout(() => void this.finish(solved.text).catch(() => undefined), kRestMs);
+      this.pause.run(() => void this.finish(solved.text).catch(() => undefined));
   }
   inUnits(): void {
     const { answer } = this;
@@ -106,7 +107,7 @@ export class LoadView extends AnswerView<Answer> {
     });
   }
   leave(): void {
-    clearTimeout(this.rest);
+    this.pause.cancel();
   }
   /** Replaces the draft by the full result after a pause in the changes of the spec. */
   private async finish(text: string): Promise<void> {

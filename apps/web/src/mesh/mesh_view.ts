@@ -10,14 +10,13 @@ import { check, Choice, h, onNextFrame, svg } from "../elements";
 import { axisOf, FigureSlot } from "../figure_slot";
 import { poseAt, touchAt, turnAt, type Motion } from "../motion";
 import { length } from "../numbers";
+import { Changes } from "../pauses";
 import { markRenewed } from "../revision";
 import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
 import { centerOf, keepVisible } from "./visible_parts";
 
-/** Pause after the last figure before it is drawn with its invisible parts, ms. */
-const kRestMs = 200;
 /** Number of positions in one pitch at which the engine computes poses. */
 const kPositions = 25;
 const kFrames = { whole: "whole", mesh: "mesh", flank: "flank" };
@@ -72,8 +71,7 @@ export class MeshView implements Tab {
   ];
   private motion: Motion | null = null;
   private size: [number, number] = [0, 0];
-  private last = 0; // ms, the time at which a figure was shown last
-  private rest = 0;
+  private readonly figures = new Changes(); // by changes of the spec, and by zooming and moving
   private design = -1;
   shown = "";
 
@@ -150,12 +148,10 @@ export class MeshView implements Tab {
     this.figure = figure;
     markRenewed(this.picture);
     // While figures follow each other quickly, only the visible parts are drawn.
-    const now = performance.now();
-    const moving = now - this.last < kRestMs;
-    this.last = now;
-    clearTimeout(this.rest);
+    this.figures.add();
     const { moves } = this;
-    if (moving) this.rest = window.setTimeout(() => this.moves === moves && this.show(this.figure), kRestMs);
+    const { moving } = this.figures;
+    this.figures.atRest(() => this.moves === moves && this.show(this.figure));
     this.slot.show(figure, moving ? (nodes) => keepVisible(nodes, this.slot.plot, this.measured()) : undefined);
     const { plot } = this.slot;
     if (plot && !plot.querySelector(".touches"))

@@ -6,12 +6,13 @@ import type { Scattered } from "../../engine/engine";
 import { button, fill, h, scroller, sentenceOf } from "../elements";
 import { Figures } from "../figure_slot";
 import { fixed } from "../numbers";
+import { Pause } from "../pauses";
 import type { Tab } from "../tabs";
 import { at, bench, hasRack } from "../workbench";
 import { ToleranceSliders } from "./tolerance_sliders";
 
 /** The pause after the last change before the contact analyses start. */
-const kRestMs = 400;
+const kPauseMs = 400;
 /** Tolerances of a housing of average accuracy. A button adds them to a spec that has none. */
 const kFirst: Record<string, [number, number]> = {
   "scatter.errors.center_distance_mm": [-0.02, 0.02],
@@ -40,12 +41,12 @@ export class ScatterView implements Tab {
     scroller("side-room", "scatter", this.picture),
   );
   private moving = false; // true while a slider is held
-  private rest = 0;
+  private readonly pause = new Pause(kPauseMs);
   private full = ""; // the text whose contact analyses are shown or in progress
   shown = "";
 
   async refresh(): Promise<void> {
-    clearTimeout(this.rest);
+    this.pause.cancel();
     const solved = bench.good;
     this.sliders.show(solved?.spec ?? null);
     if (!solved?.hasPair)
@@ -63,17 +64,16 @@ export class ScatterView implements Tab {
     if (!this.moving) this.later();
   }
   leave(): void {
-    clearTimeout(this.rest);
+    this.pause.cancel();
   }
 
   private moved(moving: boolean): void {
     this.moving = moving;
-    clearTimeout(this.rest);
+    this.pause.cancel();
     if (!moving) this.later();
   }
   private later(): void {
-    clearTimeout(this.rest);
-    this.rest = window.setTimeout(() => void this.finish(), kRestMs);
+    this.pause.run(() => void this.finish());
   }
   /** Runs complete contact analyses. Their result replaces the estimate. */
   private async finish(): Promise<void> {
