@@ -136,10 +136,10 @@ std::optional<Error> check_speeds(const std::vector<double>& speeds_rpm, std::si
   if (speeds_rpm.empty() || speeds_rpm.size() == inputs) return std::nullopt;
   std::vector<std::string> texts;
   for (const double rpm : speeds_rpm) texts.push_back(format_number(rpm));
-  return Error{"drive.speed", fmt::format("[{}]", fmt::join(texts, ", ")),
-               fmt::format("has {} number{} for {} input{}; give one speed for each input",
-                           texts.size(), texts.size() == 1 ? "" : "s", inputs,
-                           inputs == 1 ? "" : "s")};
+  return Error{
+      "drive.speed", fmt::format("[{}]", fmt::join(texts, ", ")),
+      fmt::format("has {} number{} for {} input{}; give one speed for each input", texts.size(),
+                  texts.size() == 1 ? "" : "s", inputs, inputs == 1 ? "" : "s")};
 }
 
 std::optional<Error> check_graph(const DriveGraph& graph) {
