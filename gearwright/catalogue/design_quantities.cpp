@@ -72,8 +72,9 @@ void add_numbers(Quantities<DesignView>& q) {
       .column("module_mm")
       .digits(3)
       .shown([](const DesignView& v) { return !v.problem->by_pitch; });
-  q.term("normal_diametral_pitch_per_in", "25.4 mm/m_n; only with `diametral_pitches_per_in`",
-         [](const DesignView& v) { return without_rounding_error(kMmPerInch / v.row->trial.module); })
+  q.term(
+       "normal_diametral_pitch_per_in", "25.4 mm/m_n; only with `diametral_pitches_per_in`",
+       [](const DesignView& v) { return without_rounding_error(kMmPerInch / v.row->trial.module); })
       .digits(3)
       .when(by_pitch);
   q.term("teeth", "[z1, z2]; negative for an internal gear",

@@ -40,7 +40,7 @@ enum class Unit {
   mm2_per_s,
   m2_kelvin_per_watt,
   square_metre,
-  inch,             ///< this unit and the units below occur only in results of specs in inch
+  inch,  ///< this unit and the units below occur only in results of specs in inch
   microinch,
   per_inch,
   inch_per_rad,

@@ -178,6 +178,22 @@ TEST(DriveSearchTest, TrainsHaveTheirRatio) {
     EXPECT_LE(found->found[k - 1].size, found->found[k].size);
 }
 
+// The number of teeth of the wheel that would give this ratio exceeds the range of int.
+TEST(DriveSearchTest, NoTrainHasAnEnormousRatio) {
+  for (const int stages : {1, 2}) {
+    DriveSearchProblem problem = problem_of(DriveKind::train, {});
+    problem.ratio = stages == 1 ? std::array{-1e9, -5e8} : std::array{5e8, 1e9};
+    problem.stages = {stages, stages};
+    problem.pinion = {17, 18};
+    problem.wheel = {50, 52};
+    const auto found = search_drives(problem, 1);
+    ASSERT_TRUE(found) << found.error().message();
+    EXPECT_TRUE(found->found.empty());
+    EXPECT_EQ(found->tested, stages == 1 ? 2 * 3 : 2 * 3 * 2 * 3);
+    EXPECT_EQ(found->rejected[static_cast<std::size_t>(DriveLimit::ratio)], found->tested);
+  }
+}
+
 // Centre distance of two spur gears of nominal teeth without backlash, by bisection.
 double distance_of(int sum_of_teeth, double module, double sum_of_shifts) {
   const double alpha = Angle::degrees(20).rad();

@@ -1,4 +1,5 @@
 // Searches for trains. A train is a series of pairs of gears.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -59,9 +60,11 @@ class TrainSearch {
     const double per_tooth = -before / z1;
     double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
     if (lo > hi) std::swap(lo, hi);
-    // The values are limited before the conversion to int, because they may exceed its range.
-    const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
-    const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
+    // The values are limited before the conversion to int, because they may exceed its range. If
+    // even the greatest wheel is too small, no wheel is tried.
+    const auto [z_min, z_max] = problem_.wheel;
+    const double least = std::clamp<double>(std::floor(lo), z_min, z_max + 1.0);
+    const double most = std::min<double>(z_max, std::ceil(hi));
     const int band = wheels_[static_cast<std::size_t>(z1 - problem_.pinion[0])];
     result_.tested += band;
     int kept = 0;

@@ -60,8 +60,8 @@ TEST(DriveInputs, ReversedInputsHaveTheSameFlow) {
   // If sun and planet drive, T_ring = 60/24 η² T_sun. If planet and ring drive,
   // T_ring = 60/24 T_sun/η².
   const auto bodies = made(set).graph.bodies;
-  const auto ring = static_cast<std::size_t>(
-      std::ranges::find(bodies, "ring", &DriveBody::name) - bodies.begin());
+  const auto ring = static_cast<std::size_t>(std::ranges::find(bodies, "ring", &DriveBody::name) -
+                                             bodies.begin());
   EXPECT_NEAR(forward.torque.at(ring), 2.5 * 0.98 * 0.98, 1e-12);
   EXPECT_NEAR(against.torque.at(ring), 2.5 / (0.98 * 0.98), 1e-12);
   for (const PowerFlow& one : {forward, against}) {

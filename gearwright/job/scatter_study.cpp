@@ -121,7 +121,7 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   Json json;
   try {
     json = parse_json(text);
-  } catch (const Json::parse_error&) {
+  } catch (const Json::exception&) {  // a syntax error or a number that is too large
     return other();
   }
   if (!json.is_object() || !json.contains("search") || !json["search"].is_object()) return other();

@@ -12,6 +12,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/zip.hpp"
 #include "gearwright/spec/spec_text.hpp"
+#include "gearwright/spec/text_depth.hpp"
 
 namespace gearwright {
 
@@ -22,23 +23,6 @@ using Xml = boost::property_tree::ptree;
 constexpr std::string_view kZipped = "PK";  // first bytes of a ZIP archive
 constexpr int kDeepestElement =
     32;  // greatest depth of nested elements; REXS has at most ten levels
-
-// The parser is recursive, with one call for each level, so the depth is checked before it runs.
-bool too_deep(std::string_view xml) {
-  int depth = 0;
-  for (std::size_t i = 0; (i = xml.find('<', i)) != std::string_view::npos; ++i) {
-    const char next = i + 1 < xml.size() ? xml[i + 1] : '\0';
-    if (next == '!' || next == '?') continue;
-    if (next == '/') {
-      --depth;
-      continue;
-    }
-    const std::size_t end = xml.find('>', i);
-    if (end == std::string_view::npos) return false;  // the parser reports this error
-    if (xml[end - 1] != '/' && ++depth > kDeepestElement) return true;
-  }
-  return false;
-}
 
 Error no_rexs(std::string rule) { return {"", "", std::move(rule)}; }
 
@@ -262,7 +246,7 @@ Result<RexsModel> read_rexs(std::string_view file) {
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string_view::npos && text[first] == '{';
-  if (json ? json_depth(text) > kDeepestElement : too_deep(text))
+  if (json ? json_depth(text) > kDeepestElement : has_deep_elements(text, kDeepestElement))
     return no_rexs(
         fmt::format("the elements are nested more than {} levels deep", kDeepestElement));
   Xml tree;

@@ -76,7 +76,8 @@ class SetFinder {
       others.insert(rides(*p) ? fmt::format("z {}", rexs_teeth(*p)) : "id " + p->id);
     for (const Component& c : model_.components)
       if (is_rexs_gear(c) && c.id != gear.id && shaft_of(c) && shaft_of(c) == shaft_of(gear))
-        others.insert(fmt::format("beside {}", rexs_teeth(c)));
+        others.insert(c.number("number_of_teeth") ? fmt::format("beside {}", rexs_teeth(c))
+                                                  : "beside a gear without number of teeth");
     return fmt::format("{} {}", rexs_teeth(gear), fmt::join(others, ", "));
   }
 

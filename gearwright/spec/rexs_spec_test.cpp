@@ -261,6 +261,13 @@ struct SetFile {
   std::string text() const { return file(relations, components); }
 };
 
+TEST(Rexs, AGearBesideAPlanetMayHaveNoTeeth) {
+  SetFile f;
+  f.components += component("9", "cylindrical_gear");
+  f.relations += on("s2", "9");
+  EXPECT_EQ(read(f.text()).tables["planetary"]["planet"], 24);
+}
+
 TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
   const Json ring = read(SetFile().couple("s4", "c").text()).tables["planetary"];
   EXPECT_EQ(ring["fixed"], "ring");

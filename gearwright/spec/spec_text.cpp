@@ -28,6 +28,7 @@
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/rexs_file.hpp"
 #include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/text_depth.hpp"
 
 namespace gearwright {
 
@@ -165,29 +166,9 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// Returns the number of the first line with too many dots outside quotes, or none. The TOML parser
-// recurses for each part of a dotted name, so the number of parts is limited before parsing.
-std::optional<int> deep_line(std::string_view text) {
-  int line = 1;
-  int dots = 0;
-  char quote = 0;
-  for (const char c : text) {
-    if (c == '\n') {
-      ++line;
-      dots = 0;
-      quote = 0;
-    } else if (quote) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == ',') {
-      dots = 0;  // the next element of a list begins
-    } else if (c == '.' && ++dots > 8 * kDeepest) {
-      return line;
-    }
-  }
-  return std::nullopt;
-}
+// Returns the first line of a TOML text that is nested too deeply for the parser, or none. A line of
+// numbers contains many dots, so the limit is greater than kDeepest.
+std::optional<int> deep_line(std::string_view text) { return deep_toml_line(text, 8 * kDeepest); }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 

@@ -187,10 +187,12 @@ class ScatterDesigns(unittest.TestCase):
         where = folder(TEXT)
         (where / "pair.json").write_text('{"gears": []}')
         (where / "text.json").write_text("[search]")
+        (where / "huge.json").write_text('{"search": 1e999}')
         (where / "begun.json").write_text('{"search": {"finished": false}, "warnings": []}')
         (where / "old.json").write_text('{"search": {"designs": [{"teeth": [20, 40]}]}}')
         (where / "empty").mkdir()
         for name, word in (("pair.json", "not the result of a search"), ("text.json", "not the result of a search"),
+                           ("huge.json", "not the result of a search"),
                            ("begun.json", "not finished"), ("old.json", "this version"), ("empty", "no search.json"),
                            ("found.parquet", "search.json instead")):
             self.no(where, 1, "--designs", name, word, args=("--designs", name))
