@@ -169,7 +169,7 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   auto [tree, folder] = spec_and_folder(given);
   const Json changes =
       with_keys(tree_of(kwargs, "compensate"), {&compensate_keys()}, units_of(tree), "compensate");
-  for (const auto& [key, value] : changes.items()) tree["compensate"][key] = value;
+  set_keys(tree, "compensate", changes);
   const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;
   const CompensateAnswer found = watched_result(
@@ -233,7 +233,7 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   auto [tree, folder] = spec_and_folder(given);
   const Json changes =
       with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, units_of(tree), "scatter");
-  for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
+  set_keys(tree, "scatter", changes);
   const std::string spec = json_text(tree);
   const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;

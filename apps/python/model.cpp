@@ -203,6 +203,11 @@ void change(Json& tree, const Json& changes) {
   }
 }
 
+void set_keys(Json& spec, const std::string& table, const Json& keys) {
+  if (spec.contains(table) && !spec[table].is_object()) return;
+  for (const auto& [key, value] : keys.items()) spec[table][key] = value;
+}
+
 Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope) {
   const py::gil_scoped_release free;
   const auto read = read_spec_tree(spec, folder);

@@ -90,6 +90,9 @@ const Member* member_of(const ValueRecord& record, const std::string& name);
 /// Replaces members of `tree` by the members of `changes`, including the members of nested tables.
 /// A null removes a member.
 void change(Json& tree, const Json& changes);
+/// Sets keys of the table `table` of a spec. If the spec has a value of another type in place of the
+/// table, the spec is unchanged, and the reader of the spec rejects it.
+void set_keys(Json& spec, const std::string& table, const Json& keys);
 
 /// A single gear, or one gear of a pair.
 struct GearValue {

@@ -117,8 +117,7 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
           with_keys(given, {&modification_keys()}, units, gear + ".modifications");
     }
   }
-  const Json look = with_keys(tree_of(keys, name), {&table}, units, name);
-  for (const auto& [key, value] : look.items()) spec[name][key] = value;
+  set_keys(spec, name, with_keys(tree_of(keys, name), {&table}, units, name));
   return make_model(std::move(spec), pair.model->folder, Scope::pair);
 }
 

@@ -162,7 +162,7 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
   const UnitSystem units = found.spec.units();
   Json tree = value_or_raise(parse_spec(found.text.text, found.text.format));
   const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, units, "scatter");
-  for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
+  set_keys(tree, "scatter", changes);
   const JobSpec spec = value_or_raise(read_spec_tree(tree, found.text.folder));
   StudyOptions options;
   options.threads = threads;

@@ -104,6 +104,15 @@ def test_search_refuses():
     assert len(nothing) == 0 and nothing.changes and len(nothing.to_numpy()) == 0
 
 
+@pytest.mark.parametrize("table", [5, [1]])
+def test_keys_cannot_be_added_to_a_value_that_is_no_table(table):
+    gears = {"gear1": {"teeth": 17, "normal_module_mm": 2}, "gear2": {"teeth": 40}}
+    for verb, name, keys in ((gw.scatter, "scatter", {"samples": 4}), (gw.compensate, "compensate", {"driver": 1})):
+        with pytest.raises(gw.SpecError) as e:
+            verb({**gears, name: table}, **keys)
+        assert e.value.key == name and "must be a table" in str(e.value)
+
+
 def test_fit():
     fit = gw.fit({"gear1": {"teeth": 12, "normal_module": 1.5}, "gear2": {"teeth": 24, "normal_module": 1.5},
                   "pair": {"center_distance": 40, "shaft_angle": math.pi / 2}})
