@@ -68,7 +68,8 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options) {
-  SearchRun run = begun(spec, search, chunk);
+  SearchRun run = begun(spec, search);
+  run.chunks = (*search.space().size() + chunk - 1) / chunk;
   const auto other =
       ChunkStore::is_in(options.out) ? std::nullopt : refuse_other_search(options.out, spec);
   auto opened =

@@ -40,7 +40,8 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
 // Runs the search with all designs in memory. It serves small searches and searches without files.
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
-  SearchRun run = begun(spec, search, chunk);
+  SearchRun run = begun(spec, search);
+  run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
   BestDesigns best(search.problem(),
@@ -114,9 +115,8 @@ std::vector<AssumedFactor> assumed_factors(const JobSpec& spec) {
 
 }  // namespace
 
-SearchRun begun(const JobSpec& spec, const Search& search, std::int64_t chunk) {
+SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;
-  run.chunks = (*search.space().size() + chunk - 1) / chunk;
   run.problem = &search.problem();
   const Json& tables = spec.tree->tables;
   run.pair_not_read = tables.contains("pair");

@@ -77,7 +77,7 @@ struct SearchRun : SearchView {
 };
 
 /// Returns a run that has not started. It records the parts of the spec that the search ignores.
-SearchRun begun(const JobSpec& spec, const Search& search, std::int64_t chunk);
+SearchRun begun(const JobSpec& spec, const Search& search);
 
 /// Greatest number of chunks of a search. A folder and its list cannot hold more.
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
