@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
@@ -41,21 +43,39 @@ Json errors_tree(const py::object& errors, UnitSystem units) {
   return errors_of_row(errors, units);
 }
 
+// A column of an array of errors, which is looked up once for all rows.
+struct ErrorColumn {
+  std::string_view key;
+  double si;
+  const KeyRange* range;
+  int cutter_of;  // the gear whose cutter has the error, or 0
+};
+
+std::vector<ErrorColumn> error_columns(std::size_t count) {
+  std::vector<ErrorColumn> columns;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ErrorEntry& e = error_entries()[i];
+    const KeyRange& range = error_keys().find(e.key)->range;
+    columns.push_back({e.key, e.si(), &range, e.of_cutter() ? e.gear : 0});
+  }
+  return columns;
+}
+
 // Checks many rows of errors for a pair. Every number must be finite and within the range of its
 // key.
-void check_rows(const Numbers& rows, const ContactSetup& setup) {
+void check_rows(const Numbers& rows, const std::vector<ErrorColumn>& columns,
+                const ContactSetup& setup) {
   const auto numbers = rows.unchecked<2>();
   for (py::ssize_t r = 0; r < rows.shape(0); ++r) {
-    for (py::ssize_t i = 0; i < rows.shape(1); ++i) {
-      const ErrorEntry& e = error_entries()[static_cast<std::size_t>(i)];
-      const std::string where = fmt::format("errors[{}].{}", r, e.key);
-      const double x = numbers(r, i) / e.si();
-      if (!std::isfinite(x)) raise(Error{where, fmt::format("{}", x), "must be a finite number"});
-      const KeyRange& range = error_keys().find(e.key)->range;
-      if (!range.contains(x)) raise(refused(where, x, range.sentence(x)));
-      if (!e.of_cutter()) continue;
-      if (auto error = check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(x)))
-        raise(Error{where, error->value, error->rule});
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto& [key, si, range, cutter_of] = columns[i];
+      const auto where = [r, name = key] { return fmt::format("errors[{}].{}", r, name); };
+      const double x = numbers(r, static_cast<py::ssize_t>(i)) / si;
+      if (!std::isfinite(x)) raise(Error{where(), fmt::format("{}", x), "must be a finite number"});
+      if (!range->contains(x)) raise(refused(where(), x, range->sentence(x)));
+      if (cutter_of == 0) continue;
+      if (auto error = check_cutter_lead(setup.gear(cutter_of), cutter_of, Angle::degrees(x)))
+        raise(Error{where(), error->value, error->rule});
     }
   }
 }
@@ -81,16 +101,16 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   const auto made = setup_of(model->job);
   if (!made) raise(made.error(), *model);
   const ContactSetup& setup = *made;
-  check_rows(rows, setup);
   const auto n = static_cast<std::size_t>(rows.shape(0));
-  const auto columns = static_cast<std::size_t>(rows.shape(1));
+  const std::vector<ErrorColumn> columns = error_columns(static_cast<std::size_t>(rows.shape(1)));
+  check_rows(rows, columns, setup);
   std::vector<double> te(n * static_cast<std::size_t>(positions));
   const double* const given = rows.data();
   const bool gear2_drives = model->job.spec.contact.driver == 2;
   watched_rows(n, threads, [&](std::size_t r) {
     ContactErrors e = setup.place().errors;
-    for (std::size_t i = 0; i < columns; ++i)
-      e = with_error(setup, e, i, given[r * columns + i] / error_entries()[i].si());
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      e = with_error(setup, e, i, given[r * columns.size() + i] / columns[i].si);
     const auto curve = transmission_error(setup.pair(e, gear2_drives), positions);
     std::copy(curve.begin(), curve.end(),
               te.begin() + static_cast<std::ptrdiff_t>(r * curve.size()));
