@@ -130,8 +130,8 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const double unit = 1 / (body.youngs_modulus * m);
   answer.own = unit * (read(z) + local.to_itself(from, to, half_face));
   for (const double at : probe.read) {
-    answer.profile.push_back(
-        unit * (read(face.at(at / m)) + local.to_point(at / m, from, to, half_face)));
+    answer.profile.push_back(unit *
+                             (read(face.at(at / m)) + local.to_point(at / m, from, to, half_face)));
   }
   return answer;
 }
