@@ -11,6 +11,7 @@
 #include "gearwright/job/campaign.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/rexs_file.hpp"
 
 namespace gearwright::apps {
 
@@ -286,12 +287,10 @@ void CommandLine::add_others() {
 }
 
 int CommandLine::unknown_verb(const std::string& word) const {
-  for (const char* ending : {".toml", ".json", ".rexs", ".rexsj", ".rexsz"})
-    if (word.ends_with(ending))
-      return usage(
-          fmt::format("there is no verb {0}; give a verb before the spec, for example "
-                      "gearwright run {0}",
-                      printable(word, 60)));
+  if (word.ends_with(".toml") || word.ends_with(".json") || is_rexs(word))
+    return usage(fmt::format(
+        "there is no verb {0}; give a verb before the spec, for example gearwright run {0}",
+        printable(word, 60)));
   std::string best;
   std::string all;
   std::size_t least = std::max<std::size_t>(2, word.size() / kLettersOff + 1);

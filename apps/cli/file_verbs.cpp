@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -211,17 +210,12 @@ namespace {
 
 // Returns a message about the first file whose name ends like the files of another option. The text
 // is empty if there is no such file.
-std::string foreign_ending(const Options& o) {
-  const std::array<std::pair<std::string_view, const std::string*>, 6> files{{{"step", &o.step},
-                                                                              {"stl", &o.stl},
-                                                                              {"glb", &o.glb},
-                                                                              {"3mf", &o.threemf},
-                                                                              {"dxf", &o.dxf},
-                                                                              {"svg", &o.svg}}};
-  for (const auto& [option, path] : files) {
-    for (const auto& [other, unused] : files) {
-      if (other != option && path->ends_with(fmt::format(".{}", other)))
-        return fmt::format("--{} does not write the format of {}; use --{}", option, *path, other);
+std::string foreign_ending(const WantedFiles& wanted) {
+  for (const auto& [kind, path] : wanted) {
+    for (const auto& [other, unused] : wanted) {
+      if (other != kind && path->ends_with(ending(other)))
+        return fmt::format("--{} does not write the format of {}; use --{}", ending(kind).substr(1),
+                           *path, ending(other).substr(1));
     }
   }
   return "";
@@ -244,7 +238,7 @@ int export_verb(const Options& o) {
   if (gear && !o.rexs.empty()) return usage("--rexs writes both gears of a pair; leave out --gear");
   if (!o.drawing.empty() && !sheet_format(o.drawing))
     return usage("--drawing needs a file name that ends in .pdf, .svg or .dxf, not " + o.drawing);
-  if (const std::string message = foreign_ending(o); !message.empty()) return usage(message);
+  if (const std::string message = foreign_ending(wanted); !message.empty()) return usage(message);
   if (const std::string name = collision(o); !name.empty())
     return usage(name + " is the name of two output files or of the spec");
   Door door(o);

@@ -55,9 +55,8 @@ constexpr std::string_view kReading =
     "[gear1.tolerance]";
 constexpr std::string_view kDeviation =
     "is not a key; give the deviation of the axes as an angle, by crossing_deg if the axes cross "
-    "or "
-    "by intersecting_deg if they are inclined in their common plane. A deviation of 0.01 mm over "
-    "100 mm is 0.00573°";
+    "or by intersecting_deg if they are inclined in their common plane. A deviation of 0.01 mm "
+    "over 100 mm is 0.00573°";
 
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
